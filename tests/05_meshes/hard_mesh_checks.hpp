@@ -2,6 +2,7 @@
 /// The hard cases of triangulation and of the mesh check: questions and methods.
 #pragma once
 
+#include <05_meshes/hard_mesh.hpp>
 #include <05_meshes/mesh_check_truth.hpp>
 #include <05_meshes/triangulate_truth.hpp>
 #include <algorithm>
@@ -26,6 +27,7 @@ using contact::Vector2;
 using contact::Vector3;
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_mesh::mesh_of;
 using oracle::Rational;
 using triangulate_truth::Rings;
 using triangulate_truth::Triangles;
@@ -44,20 +46,6 @@ inline Rings rings_of(const Case& c) {
     }
   }
   return rings;
-}
-
-/// The vertices, x, y and z, and the indices of the triangles.
-inline Mesh<double> mesh_of(const Case& c) {
-  const std::vector<double> points = c.numbers("vertices"), indices = c.numbers("triangles");
-  Mesh<double> mesh;
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
-    mesh.vertices.push_back({points[i], points[i + 1], points[i + 2]});
-  }
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    mesh.triangles.push_back({static_cast<int>(indices[i]), static_cast<int>(indices[i + 1]),
-                              static_cast<int>(indices[i + 2])});
-  }
-  return mesh;
 }
 
 /// Triangles with vertices of their own.

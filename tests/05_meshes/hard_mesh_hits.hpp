@@ -4,6 +4,7 @@
 #pragma once
 
 #include <02_triangles/truth.hpp>
+#include <05_meshes/hard_mesh.hpp>
 #include <algorithm>
 #include <contact/mesh_hits.hpp>
 #include <contact/mesh_tree.hpp>
@@ -26,24 +27,10 @@ using contact::Triangle;
 using contact::Vector3;
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_mesh::mesh_in;
 
 // ---------------------------------------------------------------- input
 
-/// The vertices, x, y and z, and the indices of the triangles.
-template <class S>
-Mesh<S> mesh_of(const Case& c) {
-  const std::vector<double> points = c.numbers("vertices");
-  const std::vector<double> indices = c.numbers("triangles");
-  Mesh<S> mesh;
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
-    mesh.vertices.push_back(
-        generators::rounded<S>(Vector3<double>(points[i], points[i + 1], points[i + 2])));
-  }
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    mesh.triangles.push_back({int(indices[i]), int(indices[i + 1]), int(indices[i + 2])});
-  }
-  return mesh;
-}
 /// Asks with the ray or the segment of a case.
 template <class S, class Ask>
 auto with_line(const Case& c, const Ask& ask) {
@@ -59,7 +46,7 @@ inline std::string name_of(MeshFeature feature) {
 
 /// By whole numbers: all crossings, of which those with the same t are one.
 inline Json mesh_line_answer(const Case& c) {
-  const Mesh<double> mesh = mesh_of<double>(c);
+  const Mesh<double> mesh = mesh_in<double>(c);
   std::vector<truth::Hit> hits;
   int first = -1;
   truth::Hit least;
@@ -145,7 +132,7 @@ template <class S, class Method>
 void add_method(hard_cases::Runner& runner, const std::string& name, Method method) {
   runner.method("mesh_line", name, [method](const Case& c, const Json& answer) {
     return with_line<S>(
-        c, [&](const auto& line) { return right<S>(method(line, mesh_of<S>(c)), answer); });
+        c, [&](const auto& line) { return right<S>(method(line, mesh_in<S>(c)), answer); });
   });
 }
 
@@ -181,7 +168,7 @@ inline void add_questions(hard_cases::Runner& runner) {
   });
   runner.method("mesh_line", "the book, exact", [](const Case& c, const Json& answer) {
     return with_line<double>(c, [&](const auto& line) {
-      const Mesh<double> mesh = mesh_of<double>(c);
+      const Mesh<double> mesh = mesh_in<double>(c);
       const contact::MeshTree<double> tree(mesh);
       const auto all = contact::all_mesh_hits(line, mesh);
       const auto first = tree.first(line);

@@ -2,6 +2,7 @@
 /// The hard cases of moving meshes, notches and convex pieces: questions and methods.
 #pragma once
 
+#include <05_meshes/hard_mesh.hpp>
 #include <05_meshes/moving_truth.hpp>
 #include <05_meshes/solid_truth.hpp>
 #include <cmath>
@@ -24,24 +25,12 @@ using contact::Segment;
 using contact::Vector3;
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_mesh::mesh_in;
+using hard_mesh::mesh_of;
 using oracle::Rational;
 
 // ---------------------------------------------------------------- input
 
-/// The vertices, x, y and z, and the indices of the triangles.
-inline Mesh<double> mesh_of(const Case& c) {
-  const std::vector<double> points = c.numbers("vertices");
-  const std::vector<double> indices = c.numbers("triangles");
-  Mesh<double> mesh;
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
-    mesh.vertices.push_back({points[i], points[i + 1], points[i + 2]});
-  }
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    mesh.triangles.push_back({static_cast<int>(indices[i]), static_cast<int>(indices[i + 1]),
-                              static_cast<int>(indices[i + 2])});
-  }
-  return mesh;
-}
 /// The pose at the start (axes column by column, if there are any), and the motion during the step.
 inline RigidMotion<double> motion_of(const Case& c) {
   RigidMotion<double> motion;
@@ -70,7 +59,7 @@ bool hit_by_delta(const Case& c) {
   const auto pose1 = rounded_frame<S>(contact::frame_at(motion, 1.0));
   const auto delta = contact::delta_matrix<S>(contact::homogeneous_matrix(pose0),
                                               contact::homogeneous_matrix(pose1));
-  const Mesh<S> mesh = contact::rounded_mesh<S>(mesh_of(c));
+  const Mesh<S> mesh = mesh_in<S>(c);
   return contact::segment_against_mesh_by_delta<S>(generators::rounded<S>(c.segment("path")),
                                                    contact::transformed(mesh, pose1), delta)
       .has_value();

@@ -3,6 +3,7 @@
 /// methods.
 #pragma once
 
+#include <05_meshes/hard_mesh.hpp>
 #include <05_meshes/polyhedra_truth.hpp>
 #include <contact/mesh_columns.hpp>
 #include <contact/mesh_shapes.hpp>
@@ -24,32 +25,11 @@ using contact::Vector3;
 using contact::Where;
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_mesh::mesh_in;
+using hard_mesh::mesh_of;
 
 // ---------------------------------------------------------------- input
 
-/// The vertices, x, y and z, and the indices of the triangles.
-inline Mesh<double> mesh_of(const Case& c, const std::string& suffix = "") {
-  const std::vector<double> points = c.numbers("vertices" + suffix);
-  const std::vector<double> indices = c.numbers("triangles" + suffix);
-  Mesh<double> mesh;
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
-    mesh.vertices.push_back({points[i], points[i + 1], points[i + 2]});
-  }
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    mesh.triangles.push_back({static_cast<int>(indices[i]), static_cast<int>(indices[i + 1]),
-                              static_cast<int>(indices[i + 2])});
-  }
-  return mesh;
-}
-/// The same in S.
-template <class S>
-Mesh<S> mesh_in(const Case& c) {
-  if constexpr (std::is_same_v<S, double>) {
-    return mesh_of(c);
-  } else {
-    return contact::rounded_mesh<S>(mesh_of(c));
-  }
-}
 template <class S>
 Vector3<S> point_of(const Case& c) {
   return generators::rounded<S>(c.vector("point"));

@@ -18,6 +18,7 @@
 #include <contact/exact_fraction.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/mesh.hpp>
+#include <contact/mesh_edges.hpp>
 #include <contact/orientation.hpp>
 
 namespace contact {
@@ -153,19 +154,15 @@ class SolidCutter {
 
   static void require_closed(const Mesh<double>& mesh) {
     for (const Vector3<double>& vertex : mesh.vertices) require_finite("mesh.vertices", vertex);
-    std::map<std::array<int, 2>, int> balance;
     for (const auto& triangle : mesh.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int from = triangle[k], to = triangle[(k + 1) % 3];
-        if (from < 0 || std::size_t(from) >= mesh.vertices.size()) {
-          throw_invalid_argument("mesh.triangles", std::to_string(from),
-                                 "no vertex has this index");
+      for (const int v : triangle) {
+        if (v < 0 || std::size_t(v) >= mesh.vertices.size()) {
+          throw_invalid_argument("mesh.triangles", std::to_string(v), "no vertex has this index");
         }
-        balance[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
       }
     }
-    for (const auto& [edge, count] : balance) {
-      if (count == 0 || edge[0] == edge[1]) continue;
+    for (const auto& [edge, balance] : mesh_check_detail::edge_balance(mesh)) {
+      if (balance == 0) continue;
       throw_invalid_argument("mesh.triangles",
                              std::to_string(edge[0]) + "-" + std::to_string(edge[1]),
                              "the mesh is not closed and oriented at this edge");

@@ -67,25 +67,6 @@ struct MeshReport {
 
 namespace mesh_check_detail {
 
-/// Disjoint sets of the numbers from 0 to n − 1. Each is named by its least member.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  }
-  void unite(int i, int j) {
-    i = find(i);
-    j = find(j);
-    at(std::max(i, j)) = std::min(i, j);
-  }
-
- private:
-  std::vector<int> parent_;
-  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
-};
-
 /// The search for faults, one kind after the other.
 template <std::floating_point S>
 class MeshCheck {

@@ -11,6 +11,8 @@
 #include <contact/mesh.hpp>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <vector>
 
 namespace contact {
@@ -77,6 +79,40 @@ void for_each_group(Iterator begin, Iterator end, const Same& same, const Group&
     group(begin, next);
     begin = next;
   }
+}
+
+/// Disjoint sets of the numbers from 0 to n − 1. Each is named by its least member.
+class Sets {
+ public:
+  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    while (at(i) != i) i = at(i) = at(at(i));
+    return i;
+  }
+  void unite(int i, int j) {
+    i = find(i);
+    j = find(j);
+    at(std::max(i, j)) = std::min(i, j);
+  }
+
+ private:
+  std::vector<int> parent_;
+  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
+};
+
+/// How much more often each edge, its lower vertex first, is run through upwards than downwards.
+/// All are 0 if the mesh is closed and oriented; then its winding number changes on its triangles
+/// only.
+template <Ring S>
+std::map<std::array<int, 2>, int> edge_balance(const Mesh<S>& mesh) {
+  std::map<std::array<int, 2>, int> balance;
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int from = triangle[k], to = triangle[(k + 1) % 3];
+      balance[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : from > to ? -1 : 0;
+    }
+  }
+  return balance;
 }
 
 }  // namespace mesh_check_detail

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,6 +16,7 @@
 #include <contact/exact.hpp>
 #include <contact/locate_in_mesh.hpp>
 #include <contact/mesh.hpp>
+#include <contact/mesh_edges.hpp>
 #include <contact/moving_mesh.hpp>
 #include <contact/running_error.hpp>
 #include <contact/vector.hpp>
@@ -141,13 +141,7 @@ inline bool certainly_crosses(const Segment<double>& segment, const Triangle<dou
 /// Whether the edges of a mesh run as often in one direction as in the other: then its winding
 /// number can change only on its triangles.
 inline bool is_balanced(const Mesh<double>& mesh) {
-  std::map<std::array<int, 2>, int> balance;
-  for (const auto& triangle : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int from = triangle[k], to = triangle[(k + 1) % 3];
-      balance[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : from > to ? -1 : 0;
-    }
-  }
+  const auto balance = mesh_check_detail::edge_balance(mesh);
   return std::all_of(balance.begin(), balance.end(),
                      [](const auto& edge) { return edge.second == 0; });
 }

@@ -9,10 +9,10 @@
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/locate_in_mesh.hpp>
 #include <contact/mesh.hpp>
+#include <contact/mesh_edges.hpp>
 #include <contact/orientation.hpp>
 #include <contact/segments.hpp>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -159,23 +159,12 @@ std::optional<EdgeFace> edge_face(const Prepared<S>& a, const Prepared<S>& b,
 /// The first used vertex of each connected component.
 template <FloatOrDouble S>
 std::vector<char> one_of_each_component(const Prepared<S>& a) {
-  std::vector<int> parent(a.mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int i) {
-    while (parent[static_cast<std::size_t>(i)] != i) {
-      int& up = parent[static_cast<std::size_t>(i)];
-      up = parent[static_cast<std::size_t>(up)];
-      i = up;
-    }
-    return i;
-  };
-  for (const auto& [i, j] : a.edges) {
-    const int r = root(i), s = root(j);
-    parent[static_cast<std::size_t>(std::max(r, s))] = std::min(r, s);
-  }
+  mesh_check_detail::Sets components(a.mesh.vertices.size());
+  for (const auto& [i, j] : a.edges) components.unite(i, j);
   std::vector<char> first(a.mesh.vertices.size(), 0);
   for (std::size_t i = 0; i < first.size(); ++i) {
-    if (a.used[i] != 0 && root(static_cast<int>(i)) == static_cast<int>(i)) first[i] = 1;
+    const int v = static_cast<int>(i);
+    if (a.used[i] != 0 && components.find(v) == v) first[i] = 1;
   }
   return first;
 }

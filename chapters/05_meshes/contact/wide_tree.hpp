@@ -47,7 +47,7 @@ struct WideFrame {
 ///
 /// The margins. With O' the start in the frame, o' = O' + shift d' is computed in double from two
 /// differences and a product, each rounded, and for a segment d' is a rounded difference: off by at
-/// most 8 u (|O'| + |shift d'|), u = 2^-53. Two origins in float take its place, one on either side
+/// most 8 u (|O'| + |shift d'|), u = 2^-53. Two origins in float replace it, one on either side
 /// of o' by more than that error and their own rounding: with the one the near planes cannot come
 /// too late, with the other the far planes not too early. What remains are relative errors: 1.01 v
 /// with v = 2^-24 of the inverse direction, v of the difference, v of the product. So entry ≤ exit
