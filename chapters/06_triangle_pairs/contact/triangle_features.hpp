@@ -1,0 +1,60 @@
+/// @file
+/// The features of a triangle, its vertices, edges and face, and the smallest of them that contain
+/// what two triangles have in common.
+#pragma once
+
+namespace contact {
+
+// [features]
+/// The kinds of features of a triangle or a mesh. A face is a triangle with its border, an edge has
+/// its ends; the smallest feature that contains a point has the point in its relative interior.
+enum class FeatureKind {
+  vertex,  ///< a point
+  edge,    ///< a segment
+  face     ///< a triangle
+};
+
+/// A feature of a triangle.
+struct Feature {
+  FeatureKind kind = FeatureKind::face;  ///< which of the three
+  /// Of a vertex 0, 1 or 2, for a, b and c; edge i runs from vertex i to vertex (i + 1) mod 3; of
+  /// the face 0.
+  int index = 0;
+
+  friend bool operator==(const Feature&, const Feature&) = default;
+};
+
+/// What two triangles have in common.
+enum class CommonPoints {
+  none,     ///< nothing
+  point,    ///< a single point
+  segment,  ///< a segment that is longer than a point
+  area      ///< a convex polygon, of two triangles in one plane
+};
+// [/features]
+
+/// The edge of a triangle between two of its vertices, 0 to 2.
+constexpr int edge_between(int vertex, int other) {
+  return (vertex + 1) % 3 == other ? vertex : other;
+}
+
+/// Whether a feature of a triangle, with its border, contains all of another one.
+constexpr bool contains(const Feature& large, const Feature& small) {
+  if (large.kind == FeatureKind::face) return true;
+  if (large.kind == small.kind) return large.index == small.index;
+  return large.kind == FeatureKind::edge && small.kind == FeatureKind::vertex &&
+         (small.index == large.index || small.index == (large.index + 1) % 3);
+}
+
+/// The smallest feature of a triangle that contains two of its features. It is the one that has the
+/// interior of the segment between a point of the one and a point of the other.
+constexpr Feature smallest_with(const Feature& f, const Feature& g) {
+  if (contains(f, g)) return f;
+  if (contains(g, f)) return g;
+  if (f.kind == FeatureKind::vertex && g.kind == FeatureKind::vertex) {
+    return {FeatureKind::edge, edge_between(f.index, g.index)};
+  }
+  return {};
+}
+
+}  // namespace contact
