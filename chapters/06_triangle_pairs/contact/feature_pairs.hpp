@@ -25,13 +25,16 @@ namespace contact::feature_pairs_detail {
 
 /// A triangle as a set of points: with area its three vertices, without it the ends of a segment,
 /// or one point. A segment has edge 0, from vertex 0 to vertex 1.
-template <Ring T>
+///
+/// P is the type of a point: `Vector3<double>`, `Vector3<Exact>`, or another one with the
+/// predicates below.
+template <class P>
 struct PointSet {
-  std::array<Vector3<T>, 3> at{Vector3<T>::Zero(), Vector3<T>::Zero(), Vector3<T>::Zero()};  ///< m
-  int size = 0;  ///< 3, 2 or 1
+  std::array<P, 3> at;  ///< m
+  int size;             ///< 3, 2 or 1
 
   /// Vertex i modulo 3.
-  const Vector3<T>& operator[](int i) const { return at[static_cast<std::size_t>(i % 3)]; }
+  const P& operator[](int i) const { return at[static_cast<std::size_t>(i % 3)]; }
   /// How many edges it has.
   int edges() const { return size == 3 ? 3 : size - 1; }
 };
@@ -98,15 +101,15 @@ bool is_before(const Vector3<T>& p, const Vector3<T>& q) {
   return false;
 }
 /// Whether p is between q and r, for three points of a line; not if it is one of them.
-template <Ring T>
-bool is_between(const Vector3<T>& p, const Vector3<T>& q, const Vector3<T>& r) {
-  return is_before<T>(q, p) ? is_before<T>(p, r) : is_before<T>(r, p) && is_before<T>(p, q);
+template <class P>
+bool is_between(const P& p, const P& q, const P& r) {
+  return is_before(q, p) ? is_before(p, r) : is_before(r, p) && is_before(p, q);
 }
 
 /// The signs of the three vertices of a set (as many as it has) for the plane of a triangle.
 using Signs = std::array<int, 3>;
-template <Ring T>
-Signs signs_for_plane(const PointSet<T>& triangle, const PointSet<T>& points) {
+template <class P>
+Signs signs_for_plane(const PointSet<P>& triangle, const PointSet<P>& points) {
   Signs signs{};
   for (int i = 0; i < points.size; ++i) {
     signs[static_cast<std::size_t>(i)] =
@@ -139,9 +142,9 @@ inline bool find_in_triangle(const Signs& signs, Feature& found) {
 // ---------------------------------------------------------------- different planes
 
 /// The point in which an edge that crosses the plane of a triangle meets it, if it does.
-template <Ring T>
-void add_crossing(FeaturePairs& found, const PointSet<T>& one, int edge,
-                  const PointSet<T>& triangle, bool one_is_second) {
+template <class P>
+void add_crossing(FeaturePairs& found, const PointSet<P>& one, int edge,
+                  const PointSet<P>& triangle, bool one_is_second) {
   const int other_end = one.size == 2 ? 1 : edge + 1;
   Signs signs{};
   int side = 0;
@@ -159,20 +162,20 @@ void add_crossing(FeaturePairs& found, const PointSet<T>& one, int edge,
 
 /// The points of a triangle at which vertices and edges of another set meet it that is not in its
 /// plane; `signs` are those of the set's vertices for the plane.
-template <Ring T>
-void add_meetings(FeaturePairs& found, const PointSet<T>& one, const PointSet<T>& triangle,
+template <class P>
+void add_meetings(FeaturePairs& found, const PointSet<P>& one, const PointSet<P>& triangle,
                   const Signs& signs, bool one_is_second) {
   int dropped = -1, turn = 0;
   for (int i = 0; i < one.size; ++i) {
     if (signs[static_cast<std::size_t>(i)] != 0) continue;
     for (int k = 0; turn == 0 && k < 3; ++k) {
       dropped = k;
-      turn = projected_sign<T>(triangle[0], triangle[1], triangle[2], k);
+      turn = projected_sign(triangle[0], triangle[1], triangle[2], k);
     }
     Signs inside{};
     for (int j = 0; j < 3; ++j) {
       inside[static_cast<std::size_t>(j)] =
-          turn * projected_sign<T>(triangle[j], triangle[j + 1], one[i], dropped);
+          turn * projected_sign(triangle[j], triangle[j + 1], one[i], dropped);
     }
     Feature of_triangle;
     if (find_in_triangle(inside, of_triangle)) {
@@ -195,16 +198,16 @@ using SideTable = std::array<Signs, 3>;
 
 /// All signs of two sets in one plane, in a projection that is injective on it; all are zero if
 /// they are on one line.
-template <Ring T>
+template <class P>
 struct FlatSigns {
   int turn[2] = {0, 0};  ///< the orientations of the sets that are triangles
   SideTable of_second;   ///< of the second set's vertices, for the first set's edges
   SideTable of_first;    ///< of the first set's vertices, for the second set's edges
 
-  FlatSigns(const PointSet<T>& a, const PointSet<T>& b) {
+  FlatSigns(const PointSet<P>& a, const PointSet<P>& b) {
     for (int k = 0; k < 3; ++k) {
-      turn[0] = a.size == 3 ? projected_sign<T>(a[0], a[1], a[2], k) : 1;
-      turn[1] = b.size == 3 ? projected_sign<T>(b[0], b[1], b[2], k) : 1;
+      turn[0] = a.size == 3 ? projected_sign(a[0], a[1], a[2], k) : 1;
+      turn[1] = b.size == 3 ? projected_sign(b[0], b[1], b[2], k) : 1;
       if (turn[0] == 0 || turn[1] == 0) continue;
       const bool any = fill(of_second, a, b, turn[0], k);
       if (fill(of_first, b, a, turn[1], k) || any || a.size == 3 || b.size == 3) return;
@@ -212,13 +215,13 @@ struct FlatSigns {
   }
 
  private:
-  static bool fill(SideTable& table, const PointSet<T>& edges, const PointSet<T>& points, int turn,
+  static bool fill(SideTable& table, const PointSet<P>& edges, const PointSet<P>& points, int turn,
                    int k) {
     table = {};
     bool any = false;
     for (int i = 0; i < edges.edges(); ++i) {
       for (int j = 0; j < points.size; ++j) {
-        const int s = turn * projected_sign<T>(edges[i], edges[i + 1], points[j], k);
+        const int s = turn * projected_sign(edges[i], edges[i + 1], points[j], k);
         table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = s;
         any = any || s != 0;
       }
@@ -228,8 +231,8 @@ struct FlatSigns {
 };
 
 /// The smallest feature of a set that contains a point of its plane.
-template <Ring T>
-bool find_in_set(const PointSet<T>& set, const SideTable& table, int j, const Vector3<T>& point,
+template <class P>
+bool find_in_set(const PointSet<P>& set, const SideTable& table, int j, const P& point,
                  Feature& found) {
   const auto column = static_cast<std::size_t>(j);
   if (set.size == 3) {
@@ -240,7 +243,7 @@ bool find_in_set(const PointSet<T>& set, const SideTable& table, int j, const Ve
     if (point == set[i]) return true;
   }
   found = {FeatureKind::edge, 0};
-  return set.size == 2 && table[0][column] == 0 && is_between<T>(point, set[0], set[1]);
+  return set.size == 2 && table[0][column] == 0 && is_between(point, set[0], set[1]);
 }
 
 /// Whether a vertex of the common polygon is the start of its side along an edge of one of the two
@@ -261,8 +264,8 @@ inline bool starts_side(const Feature& here, const Feature& there, int edge, int
 
 /// Whether the side of the common polygon that leaves p ends in q. Each side is on an edge of one
 /// of the triangles, and no edge has more than two of the polygon's vertices.
-template <Ring T>
-bool is_next(const FeaturePair& p, const FeaturePair& q, const FlatSigns<T>& signs) {
+template <class P>
+bool is_next(const FeaturePair& p, const FeaturePair& q, const FlatSigns<P>& signs) {
   for (int i = 0; i < 3; ++i) {
     const Feature edge{FeatureKind::edge, i};
     if (contains(edge, p.of_first) && contains(edge, q.of_first)) {
@@ -276,30 +279,29 @@ bool is_next(const FeaturePair& p, const FeaturePair& q, const FlatSigns<T>& sig
 }
 
 /// Puts the vertices of a polygon in order.
-template <Ring T>
-void order_polygon(FeaturePairs& found, const FlatSigns<T>& signs) {
+template <class P>
+void order_polygon(FeaturePairs& found, const FlatSigns<P>& signs) {
   for (int i = 0; i + 2 < found.count; ++i) {
     const auto here = found.pair.begin() + i;
-    const auto next =
-        std::find_if(here + 1, found.pair.begin() + found.count,
-                     [&](const FeaturePair& q) { return is_next<T>(*here, q, signs); });
+    const auto next = std::find_if(here + 1, found.pair.begin() + found.count,
+                                   [&](const FeaturePair& q) { return is_next(*here, q, signs); });
     if (next != found.pair.begin() + found.count) std::iter_swap(here + 1, next);
   }
 }
 
 /// The common vertices of two sets in one plane.
-template <Ring T>
-FeaturePairs flat_pairs(const PointSet<T>& a, const PointSet<T>& b) {
-  const FlatSigns<T> signs(a, b);
+template <class P>
+FeaturePairs flat_pairs(const PointSet<P>& a, const PointSet<P>& b) {
+  const FlatSigns<P> signs(a, b);
   FeaturePairs found;
   Feature feature;
   for (int i = 0; i < a.size; ++i) {
-    if (find_in_set<T>(b, signs.of_first, i, a[i], feature)) {
+    if (find_in_set(b, signs.of_first, i, a[i], feature)) {
       found.add({FeatureKind::vertex, i}, feature);
     }
   }
   for (int j = 0; j < b.size; ++j) {
-    if (find_in_set<T>(a, signs.of_second, j, b[j], feature)) {
+    if (find_in_set(a, signs.of_second, j, b[j], feature)) {
       found.add(feature, {FeatureKind::vertex, j});
     }
   }
@@ -314,21 +316,21 @@ FeaturePairs flat_pairs(const PointSet<T>& a, const PointSet<T>& b) {
       }
     }
   }
-  if (found.count > 2) order_polygon<T>(found, signs);
+  if (found.count > 2) order_polygon(found, signs);
   return found;
 }
 
 // ---------------------------------------------------------------- all
 
 /// Whether the four ends of two segments are not in one plane.
-template <Ring T>
-bool are_skew(const PointSet<T>& a, const PointSet<T>& b) {
+template <class P>
+bool are_skew(const PointSet<P>& a, const PointSet<P>& b) {
   return a.size == 2 && b.size == 2 && space_sign(a[0], a[1], b[0], b[1]) != 0;
 }
 
 /// The vertices of what two sets have in common.
-template <Ring T>
-FeaturePairs feature_pairs(const PointSet<T>& a, const PointSet<T>& b) {
+template <class P>
+FeaturePairs feature_pairs(const PointSet<P>& a, const PointSet<P>& b) {
   Signs of_a{}, of_b{};
   if (a.size == 3) of_b = signs_for_plane(a, b);
   if (on_one_side(of_b, b.size)) return {};
@@ -343,10 +345,10 @@ FeaturePairs feature_pairs(const PointSet<T>& a, const PointSet<T>& b) {
 }
 
 /// The triangle with its vertices sorted, as a set of points.
-template <Ring T>
-PointSet<T> point_set(const std::array<Vector3<T>, 3>& sorted) {
+template <class P>
+PointSet<P> point_set(const std::array<P, 3>& sorted) {
   for (int k = 0; k < 3; ++k) {
-    if (projected_sign<T>(sorted[0], sorted[1], sorted[2], k) != 0) return {sorted, 3};
+    if (projected_sign(sorted[0], sorted[1], sorted[2], k) != 0) return {sorted, 3};
   }
   if (sorted[0] == sorted[2]) return {sorted, 1};
   return {{sorted[0], sorted[2], sorted[2]}, 2};

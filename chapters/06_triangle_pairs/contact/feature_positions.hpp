@@ -17,27 +17,29 @@ namespace contact::feature_pairs_detail {
 inline Vector3<Exact> in_exact(const Vector3<double>& v) {
   return {Exact(v.x()), Exact(v.y()), Exact(v.z())};
 }
-inline PointSet<Exact> in_exact(const PointSet<double>& set) {
+inline const Vector3<Exact>& in_exact(const Vector3<Exact>& v) { return v; }
+template <class P>
+PointSet<Vector3<Exact>> in_exact(const PointSet<P>& set) {
   return {{in_exact(set.at[0]), in_exact(set.at[1]), in_exact(set.at[2])}, set.size};
 }
 
 /// Two features that meet in a point x: a vertex, or an edge and an edge or a face that it crosses.
-template <Ring T>
+template <class P>
 struct MeetingFeatures {
-  const PointSet<T>& one;    ///< the vertex, or the edge
-  const PointSet<T>& other;  ///< the other edge or face
+  const PointSet<P>& one;    ///< the vertex, or the edge
+  const PointSet<P>& other;  ///< the other edge or face
   Feature of_one, of_other;
 
   /// An end of the edge of the one.
-  const Vector3<T>& end(int i) const { return one[of_one.index + i]; }
+  const P& end(int i) const { return one[of_one.index + i]; }
   /// An end of the edge of the other.
-  const Vector3<T>& other_end(int i) const { return other[of_other.index + i]; }
+  const P& other_end(int i) const { return other[of_other.index + i]; }
 };
 
 /// The two features of a pair, a vertex before an edge before a face.
-template <Ring T>
-MeetingFeatures<T> meeting_features(const FeaturePair& pair, const PointSet<T>& a,
-                                    const PointSet<T>& b) {
+template <class P>
+MeetingFeatures<P> meeting_features(const FeaturePair& pair, const PointSet<P>& a,
+                                    const PointSet<P>& b) {
   if (pair.of_second.kind < pair.of_first.kind) return {b, a, pair.of_second, pair.of_first};
   return {a, b, pair.of_first, pair.of_second};
 }
@@ -59,7 +61,7 @@ struct ExactPosition {
 struct ExactAlong {
   Exact n, d;
 };
-inline ExactAlong exact_along(const MeetingFeatures<Exact>& f) {
+inline ExactAlong exact_along(const MeetingFeatures<Vector3<Exact>>& f) {
   if (f.of_other.kind == FeatureKind::face) {
     const auto volume = [&f](const Vector3<Exact>& x) {
       return signed_volume<Exact>(f.other[0], f.other[1], f.other[2], x);
@@ -77,9 +79,9 @@ inline ExactAlong exact_along(const MeetingFeatures<Exact>& f) {
 }
 
 /// Where two features of a pair meet.
-inline ExactPosition exact_position(const FeaturePair& pair, const PointSet<Exact>& a,
-                                    const PointSet<Exact>& b) {
-  const MeetingFeatures<Exact> f = meeting_features(pair, a, b);
+inline ExactPosition exact_position(const FeaturePair& pair, const PointSet<Vector3<Exact>>& a,
+                                    const PointSet<Vector3<Exact>>& b) {
+  const MeetingFeatures<Vector3<Exact>> f = meeting_features(pair, a, b);
   if (f.of_one.kind == FeatureKind::vertex) return {f.end(0), Exact(1.0)};
   const ExactAlong along = exact_along(f);
   const Vector3<Exact> step = f.end(1) - f.end(0);
@@ -103,7 +105,7 @@ struct BoundedPosition {
 /// and the whole edge; both are determinants of differences of stored numbers, with the bound of
 /// `bounded_volume`. Two edges: by Cramer's rule in the projection in which the rounded e × f is
 /// largest. Another projection would be right as well, with a larger bound.
-inline Bounded bounded_along(const MeetingFeatures<double>& f) {
+inline Bounded bounded_along(const MeetingFeatures<Vector3<double>>& f) {
   using segments_detail::bounded_cross, segments_detail::bounded_fraction;
   const Vector3<double> backwards = f.end(0) - f.end(1);
   if (f.of_other.kind == FeatureKind::face) {
@@ -123,9 +125,9 @@ inline Bounded bounded_along(const MeetingFeatures<double>& f) {
 ///
 /// The fraction t of the edge and its bound give each coordinate as p + t (q − p) with the bound of
 /// `bounded_between`.
-inline BoundedPosition bounded_position(const FeaturePair& pair, const PointSet<double>& a,
-                                        const PointSet<double>& b) {
-  const MeetingFeatures<double> f = meeting_features(pair, a, b);
+inline BoundedPosition bounded_position(const FeaturePair& pair, const PointSet<Vector3<double>>& a,
+                                        const PointSet<Vector3<double>>& b) {
+  const MeetingFeatures<Vector3<double>> f = meeting_features(pair, a, b);
   if (f.of_one.kind == FeatureKind::vertex) return {f.end(0), 0, true};
   const Bounded along = bounded_along(f);
   BoundedPosition found;

@@ -50,44 +50,48 @@ using feature_pairs_detail::PointSet;
 
 /// A triangle with its vertices in the order of their coordinates (equal ones in that of their
 /// indices), and as a set of points.
-template <Ring T>
+template <class P>
 struct SortedTriangle {
-  std::array<Vector3<T>, 3> at;       ///< m
   std::array<int, 3> index{0, 1, 2};  ///< of these vertices in the triangle as given
-  PointSet<T> set;                    ///< has the same order
+  std::array<P, 3> at;                ///< m
+  PointSet<P> set;                    ///< has the same order
 
-  explicit SortedTriangle(const std::array<Vector3<T>, 3>& vertices) : at(vertices) {
+  explicit SortedTriangle(const std::array<P, 3>& vertices)
+      : at(sorted(vertices, index)), set(feature_pairs_detail::point_set<P>(at)) {}
+
+ private:
+  static std::array<P, 3> sorted(std::array<P, 3> vertices, std::array<int, 3>& index) {
     for (const std::size_t i : {0U, 1U, 0U}) {
-      if (!is_before<T>(at[i + 1], at[i])) continue;
-      std::swap(at[i], at[i + 1]);
+      if (!is_before(vertices[i + 1], vertices[i])) continue;
+      std::swap(vertices[i], vertices[i + 1]);
       std::swap(index[i], index[i + 1]);
     }
-    set = feature_pairs_detail::point_set<T>(at);
+    return vertices;
   }
 };
 
 /// Converts to double; + 0.0 makes each zero positive.
 template <FloatOrDouble S>
-SortedTriangle<double> sorted_triangle(const Triangle<S>& triangle) {
+SortedTriangle<Vector3<double>> sorted_triangle(const Triangle<S>& triangle) {
   const auto plain = [](const Vector3<S>& v) {
     return Vector3<double>(v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
   };
-  return SortedTriangle<double>({plain(triangle.a), plain(triangle.b), plain(triangle.c)});
+  return SortedTriangle<Vector3<double>>({plain(triangle.a), plain(triangle.b), plain(triangle.c)});
 }
 
 /// The order in which two triangles are treated: that of their sorted vertices.
-template <Ring T>
-bool is_before_triangle(const SortedTriangle<T>& a, const SortedTriangle<T>& b) {
+template <class P>
+bool is_before_triangle(const SortedTriangle<P>& a, const SortedTriangle<P>& b) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (a.at[i] != b.at[i]) return is_before<T>(a.at[i], b.at[i]);
+    if (a.at[i] != b.at[i]) return is_before(a.at[i], b.at[i]);
   }
   return false;
 }
 
 /// The feature of a segment or a point that is given as a triangle, from that of the set of points:
 /// the smallest edge or the vertex that contains x; the first of equal ones.
-template <Ring T>
-Feature feature_without_area(const SortedTriangle<T>& t, const Feature& of_set,
+template <class P>
+Feature feature_without_area(const SortedTriangle<P>& t, const Feature& of_set,
                              const ExactPosition& x) {
   const auto vertex = [](int i) { return Feature{FeatureKind::vertex, i}; };
   const auto edge = [&t](std::size_t i, std::size_t j) {
@@ -102,24 +106,20 @@ Feature feature_without_area(const SortedTriangle<T>& t, const Feature& of_set,
     const Feature whole = edge(0, 2), same = low ? edge(1, 2) : edge(0, 1);
     return whole.index < same.index ? whole : same;
   }
+  const auto set = feature_pairs_detail::in_exact(PointSet<P>{t.at, 3});
   int k = 0;
-  while (t.at[0][k] == t.at[2][k]) ++k;  // along which the vertices are sorted
-  const int order = x.compare(k, Exact(t.at[1][k]));
+  while (set[0][k] == set[2][k]) ++k;  // along which the vertices are sorted
+  const int order = x.compare(k, set[1][k]);
   return order == 0 ? vertex(t.index[1]) : (order < 0 ? edge(0, 1) : edge(1, 2));
 }
 
 /// The feature of a triangle as given, from that of its set of points.
-template <Ring T>
-Feature feature_as_given(const SortedTriangle<T>& t, const Feature& of_set, const FeaturePair& pair,
-                         const PointSet<T>& a, const PointSet<T>& b) {
+template <class P>
+Feature feature_as_given(const SortedTriangle<P>& t, const Feature& of_set, const FeaturePair& pair,
+                         const PointSet<P>& a, const PointSet<P>& b) {
   if (t.set.size < 3) {
-    if constexpr (std::same_as<T, double>) {
-      using feature_pairs_detail::in_exact;
-      const ExactPosition x = exact_position(pair, in_exact(a), in_exact(b));
-      return feature_without_area(t, of_set, x);
-    } else {
-      return feature_without_area(t, of_set, exact_position(pair, a, b));
-    }
+    using feature_pairs_detail::in_exact;
+    return feature_without_area(t, of_set, exact_position(pair, in_exact(a), in_exact(b)));
   }
   const auto index = [&t](int i) { return t.index[static_cast<std::size_t>(i % 3)]; };
   switch (of_set.kind) {
@@ -134,16 +134,16 @@ Feature feature_as_given(const SortedTriangle<T>& t, const Feature& of_set, cons
 }
 
 /// Two triangles in the order in which they are treated, and what they have in common.
-template <Ring T>
+template <class P>
 struct SortedPair {
-  SortedTriangle<T> low, high;
+  SortedTriangle<P> low, high;
   bool swapped;        ///< whether the first triangle is `high`
   FeaturePairs pairs;  ///< of low and high
 
-  SortedPair(const SortedTriangle<T>& first, const SortedTriangle<T>& second)
-      : low(first), high(second), swapped(is_before_triangle<T>(second, first)) {
+  SortedPair(const SortedTriangle<P>& first, const SortedTriangle<P>& second)
+      : low(first), high(second), swapped(is_before_triangle(second, first)) {
     if (swapped) std::swap(low, high);
-    pairs = feature_pairs_detail::feature_pairs<T>(low.set, high.set);
+    pairs = feature_pairs_detail::feature_pairs<P>(low.set, high.set);
   }
   /// The features of vertex i of the common set, as the triangles were given.
   FeaturePair as_given(int i) const {
@@ -173,16 +173,17 @@ bool boxes_meet(const Triangle<S>& s, const Triangle<S>& t) {
 
 /// The pair, if it is finite and its boxes meet.
 template <FloatOrDouble S>
-std::optional<SortedPair<double>> sorted_pair(const Triangle<S>& first, const Triangle<S>& second) {
+std::optional<SortedPair<Vector3<double>>> sorted_pair(const Triangle<S>& first,
+                                                       const Triangle<S>& second) {
   if (!finite_triangle(first) || !finite_triangle(second)) return std::nullopt;
   if (!boxes_meet(first, second)) return std::nullopt;
-  return SortedPair<double>(sorted_triangle(first), sorted_triangle(second));
+  return SortedPair<Vector3<double>>(sorted_triangle(first), sorted_triangle(second));
 }
 
 /// A vertex of the common set, rounded once. Copies of vertices have no error.
 template <FloatOrDouble S>
 void set_to_last_place(Vector3<S>& position, S& bound, const FeaturePair& pair,
-                       const SortedPair<double>& sorted) {
+                       const SortedPair<Vector3<double>>& sorted) {
   using feature_pairs_detail::in_exact;
   const ExactPosition x = exact_position(pair, in_exact(sorted.low.set), in_exact(sorted.high.set));
   for (int k = 0; k < 3; ++k) {
@@ -196,7 +197,7 @@ void set_to_last_place(Vector3<S>& position, S& bound, const FeaturePair& pair,
 /// A vertex of the common set from double, or, if its bound is not small enough, exactly.
 template <FloatOrDouble S>
 void set_with_bound(Vector3<S>& position, S& bound, const FeaturePair& pair,
-                    const SortedPair<double>& sorted) {
+                    const SortedPair<Vector3<double>>& sorted) {
   const auto x = bounded_position(pair, sorted.low.set, sorted.high.set);
   if (!x.sharp) return set_to_last_place(position, bound, pair, sorted);
   position = x.value.template cast<S>();
