@@ -20,27 +20,28 @@ namespace contact {
 // [mesh-feature]
 /// A feature of a mesh, by the indices of its vertices in increasing order. A face that consists of
 /// several coplanar triangles is named by the first of them. Equal features have equal names.
-struct MeshFeature {
+/// (`MeshFeature` of contact/mesh_hits.hpp is only a kind.)
+struct NamedFeature {
   FeatureKind kind = FeatureKind::face;     ///< which of the three
   std::array<int, 3> vertices{-1, -1, -1};  ///< one, two or three indices; −1: unused
 
-  friend auto operator<=>(const MeshFeature&, const MeshFeature&) = default;
+  friend auto operator<=>(const NamedFeature&, const NamedFeature&) = default;
 };
 // [/mesh-feature]
 
-/// Finds the feature of a mesh that a feature of one of its triangles belongs to.
+/// Names the feature of a mesh that a feature of one of its triangles belongs to.
 ///
 /// An edge is *flat* if it belongs to exactly two triangles and these are in one plane, on
 /// different sides of the edge. It is no edge of the mesh, but inside the face that the triangles
 /// across flat edges form together. A vertex is always a feature of its own, even inside a face.
 /// Decided exactly. Edges belong together if their vertices have the same indices, so equal
 /// vertices of a soup have to be merged first (`merge_equal_vertices`).
-class MeshFeatures {
+class FeatureNames {
  public:
   /// O(n log n). The mesh must outlive this.
   /// @param mesh m, finite vertices; a triangle with a repeated index has no flat edge
   template <FloatOrDouble S>
-  explicit MeshFeatures(const Mesh<S>& mesh)
+  explicit FeatureNames(const Mesh<S>& mesh)
       : triangles_(mesh.triangles), sets_(mesh.triangles.size()), flat_(mesh.triangles.size()) {
     using mesh_check_detail::HalfEdge;
     const auto sides = mesh_check_detail::sorted_half_edges(mesh);
@@ -58,7 +59,7 @@ class MeshFeatures {
   }
 
   /// The feature of the mesh whose relative interior contains that of a feature of triangle i.
-  MeshFeature of(std::size_t i, const Feature& feature) {
+  NamedFeature of(std::size_t i, const Feature& feature) {
     const std::array<int, 3>& t = triangles_[i];
     const auto index = static_cast<std::size_t>(feature.index);
     if (feature.kind == FeatureKind::vertex) return {FeatureKind::vertex, {t[index], -1, -1}};

@@ -1,6 +1,6 @@
 /// @file
-/// The features of a triangle, its vertices, edges and face, and the smallest of them that contain
-/// what two triangles have in common.
+/// The features of a triangle, its vertices, edges and face, and the kinds of contact that they
+/// make.
 #pragma once
 
 namespace contact {
@@ -31,7 +31,29 @@ enum class CommonPoints {
   segment,  ///< a segment that is longer than a point
   area      ///< a convex polygon, of two triangles in one plane
 };
+
+/// The kinds of contact of two features, in either order.
+enum class ContactKind {
+  point_point,  ///< p2p: a vertex and a vertex
+  point_edge,   ///< p2e: a vertex and an edge
+  point_face,   ///< p2f: a vertex and a face
+  edge_edge,    ///< e2e: two edges
+  edge_face,    ///< e2f: an edge and a face
+  face_face     ///< f2f: two faces
+};
 // [/features]
+
+/// The kind of contact of two features of these kinds.
+constexpr ContactKind contact_kind(FeatureKind f, FeatureKind g) {
+  if (g < f) return contact_kind(g, f);
+  if (f == FeatureKind::face) return ContactKind::face_face;
+  const ContactKind with_edge =
+      f == FeatureKind::vertex ? ContactKind::point_edge : ContactKind::edge_edge;
+  const ContactKind with_face =
+      f == FeatureKind::vertex ? ContactKind::point_face : ContactKind::edge_face;
+  if (g == FeatureKind::vertex) return ContactKind::point_point;
+  return g == FeatureKind::edge ? with_edge : with_face;
+}
 
 /// The edge of a triangle between two of its vertices, 0 to 2.
 constexpr int edge_between(int vertex, int other) {
