@@ -1,0 +1,558 @@
+// The nearest features of two triangles, and the first contact of meshes with its features, against
+// fractions; and that the theorem fails without each of its hypotheses.
+#include <06_triangle_pairs/common_points_truth.hpp>
+#include <06_triangle_pairs/pair_families.hpp>
+#include <contact/feature_contacts.hpp>
+#include <contact/mesh_shapes.hpp>
+
+#include <support/generators.hpp>
+#include <support/oracle.hpp>
+
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace feature_contacts_tests {
+
+using common_points_truth::Vertices;
+using contact::ContactKind;
+using contact::ExactFraction;
+using contact::Feature;
+using contact::FeatureKind;
+using contact::FirstContact;
+using contact::Mesh;
+using contact::NamedFeature;
+using contact::Triangle;
+using contact::Vector3;
+using generators::Random;
+using oracle::Rational;
+using oracle::Vector;
+
+// ---------------------------------------------------------------- input
+
+Vector3<double> whole(Random& random, int size) {
+  return {double(random.integer(-size, size)), double(random.integer(-size, size)),
+          double(random.integer(-size, size))};
+}
+Vector3<double> anywhere(Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+Mesh<double> tetrahedron(const std::array<Vector3<double>, 4>& v) {
+  Mesh<double> mesh;
+  mesh.vertices.assign(v.begin(), v.end());
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  return mesh;
+}
+Mesh<double> one_triangle(const Triangle<double>& t) { return {{t.a, t.b, t.c}, {{0, 1, 2}}}; }
+Mesh<double> moved(Mesh<double> mesh, const Vector3<double>& d) {
+  for (auto& x : mesh.vertices) x += d;
+  return mesh;
+}
+/// A body on the grid, at times flat, or a box.
+Mesh<double> whole_body(Random& random) {
+  if (random.chance(0.3)) {
+    const Vector3<double> low = whole(random, 1);
+    return contact::box_mesh(low, Vector3<double>(low + Vector3<double>(1, 1, 1) * 2));
+  }
+  return tetrahedron({whole(random, 2), whole(random, 2), whole(random, 2), whole(random, 2)});
+}
+struct Moving {
+  Mesh<double> moving;
+  Vector3<double> displacement;
+  Mesh<double> resting;
+};
+Moving random_bodies(Random& random) {
+  const auto body = [&random] {
+    return tetrahedron({anywhere(random), anywhere(random), anywhere(random), anywhere(random)});
+  };
+  const Mesh<double> resting = body();
+  const Vector3<double> to = anywhere(random);
+  return {moved(body(), Vector3<double>(-3, 0, 0)), Vector3<double>(to + Vector3<double>(4, 0, 0)),
+          resting};
+}
+Moving whole_bodies(Random& random) {
+  const Mesh<double> resting = whole_body(random);
+  const Vector3<double> to(random.integer(8, 12), random.integer(-3, 3), random.integer(-1, 1));
+  return {moved(whole_body(random), Vector3<double>(-6, 0, 0)), to, resting};
+}
+
+// ---------------------------------------------------------------- truth
+
+struct ExactMesh {
+  std::vector<Vector> vertices;
+  const std::vector<std::array<int, 3>>& triangles;
+
+  ExactMesh(const Mesh<double>& mesh, const Vector3<double>& d, const Rational& t)
+      : triangles(mesh.triangles) {
+    for (const auto& x : mesh.vertices) {
+      vertices.push_back(oracle::exact(x) + oracle::exact(d) * t);
+    }
+  }
+  Vertices triangle(std::size_t i) const {
+    const auto at = [this](int v) { return vertices[static_cast<std::size_t>(v)]; };
+    return {at(triangles[i][0]), at(triangles[i][1]), at(triangles[i][2])};
+  }
+};
+bool boxes_apart(const Vertices& s, const Vertices& t) {
+  for (int k = 0; k < 3; ++k) {
+    const auto [a, b] = std::minmax({s[0][k], s[1][k], s[2][k]});
+    const auto [c, d] = std::minmax({t[0][k], t[1][k], t[2][k]});
+    if (b < c || d < a) return true;
+  }
+  return false;
+}
+/// Whether the meshes have a common point at a time.
+bool meet_at(const Moving& m, const Rational& t) {
+  const ExactMesh a(m.moving, m.displacement, t), b(m.resting, {0, 0, 0}, 0);
+  for (std::size_t i = 0; i < a.triangles.size(); ++i) {
+    for (std::size_t j = 0; j < b.triangles.size(); ++j) {
+      const Vertices first = a.triangle(i), second = b.triangle(j);
+      if (!boxes_apart(first, second) && !common_points_truth::candidates(first, second).empty()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+using Named = std::pair<NamedFeature, NamedFeature>;
+/// All pairs of features with a common point in both relative interiors: those of the vertices of
+/// each common set, of the middle of each two of them, and of the middle of all.
+std::set<Named> features_at(const Moving& m, const Rational& t) {
+  const ExactMesh a(m.moving, m.displacement, t), b(m.resting, {0, 0, 0}, 0);
+  contact::FeatureNames of_a(m.moving), of_b(m.resting);
+  std::set<Named> found;
+  for (std::size_t i = 0; i < a.triangles.size(); ++i) {
+    for (std::size_t j = 0; j < b.triangles.size(); ++j) {
+      const Vertices s = a.triangle(i), u = b.triangle(j);
+      if (boxes_apart(s, u)) continue;
+      const auto points = common_points_truth::common_vertices(s, u);
+      const auto add = [&](const Vector& x) {
+        found.insert({of_a.of(i, *common_points_truth::feature_at(x, s)),
+                      of_b.of(j, *common_points_truth::feature_at(x, u))});
+      };
+      Vector sum = Vector::Zero();
+      for (const auto& p : points) {
+        for (const auto& q : points) add((p.position + q.position) / Rational(2));
+        sum += p.position;
+      }
+      if (!points.empty()) add(sum / Rational(static_cast<int>(points.size())));
+    }
+  }
+  return found;
+}
+std::set<Named> as_set(const std::vector<contact::FeatureContact>& contacts) {
+  std::set<Named> found;
+  for (const auto& c : contacts) found.insert({c.of_moving, c.of_resting});
+  return found;
+}
+/// The number of contacts of a kind.
+long count_kind(const std::vector<contact::FeatureContact>& contacts, ContactKind kind) {
+  return std::count_if(contacts.begin(), contacts.end(),
+                       [kind](const auto& c) { return c.kind == kind; });
+}
+bool is_sufficient_kind(ContactKind kind) {
+  return kind != ContactKind::edge_face && kind != ContactKind::face_face;
+}
+
+// ---------------------------------------------------------------- kinds
+
+TEST_CASE("the kind of a contact does not depend on the order of the features") {
+  using enum FeatureKind;
+  CHECK(contact::contact_kind(vertex, vertex) == ContactKind::point_point);
+  CHECK(contact::contact_kind(edge, edge) == ContactKind::edge_edge);
+  CHECK(contact::contact_kind(face, face) == ContactKind::face_face);
+  CHECK(contact::contact_kind(vertex, edge) == ContactKind::point_edge);
+  CHECK(contact::contact_kind(edge, vertex) == ContactKind::point_edge);
+  CHECK(contact::contact_kind(vertex, face) == ContactKind::point_face);
+  CHECK(contact::contact_kind(face, vertex) == ContactKind::point_face);
+  CHECK(contact::contact_kind(edge, face) == ContactKind::edge_face);
+  CHECK(contact::contact_kind(face, edge) == ContactKind::edge_face);
+}
+
+// ---------------------------------------------------------------- nearest features
+
+/// The squared distance of a point of one triangle, given by weights, from the other, by testing
+/// all features.
+Rational squared_distance(const Vector& x, const Vertices& t) {
+  const Vector normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  if (normal.dot(normal) != 0) {
+    const Vector foot = x - normal * Rational(normal.dot(x - t[0]) / normal.dot(normal));
+    if (common_points_truth::feature_at(foot, t)) return (x - foot).dot(x - foot);
+  }
+  Rational least = (x - t[0]).dot(x - t[0]);
+  for (int i = 0; i < 3; ++i) {
+    const Vector from = common_points_truth::at(t, i);
+    const Vector step = common_points_truth::at(t, i + 1) - from;
+    const Rational whole = step.dot(step);
+    Rational along = whole == 0 ? Rational(0) : Rational(step.dot(x - from) / whole);
+    along = std::min(std::max(along, Rational(0)), Rational(1));
+    const Vector off = x - (from + step * along);
+    least = std::min(least, Rational(off.dot(off)));
+  }
+  return least;
+}
+/// Off by at most half an ulp.
+Rational rounded_rational(const ExactFraction& x) { return oracle::exact(x.nearest()); }
+
+TEST_CASE("no point of a triangle is nearer to the other than the nearest features say") {
+  Random random(21);
+  for (int i = 0; i < generators::tried(600); ++i) {
+    const Triangle<double> s{whole(random, 3), whole(random, 3), whole(random, 3)};
+    const Triangle<double> t{whole(random, 3), whole(random, 3), whole(random, 3)};
+    const auto near = contact::nearest_of_triangles_exactly(s, t);
+    const Vertices a = common_points_truth::vertices(s), b = common_points_truth::vertices(t);
+    if (near.squared_distance == ExactFraction(0)) {
+      REQUIRE(!common_points_truth::candidates(a, b).empty());
+      continue;
+    }
+    REQUIRE(is_sufficient_kind(near.kind));
+    // The two points are on the triangles, on these features, and have this distance.
+    const Vector3<ExactFraction> off = near.on_first - near.on_second;
+    REQUIRE(off.dot(off) == near.squared_distance);
+    for (int u = 0; u <= 6; ++u) {
+      for (int v = 0; u + v <= 6; ++v) {
+        const Vector x = a[0] + (a[1] - a[0]) * Rational(u, 6) + (a[2] - a[0]) * Rational(v, 6);
+        const Rational sampled = squared_distance(x, b);
+        REQUIRE(rounded_rational(near.squared_distance) <= sampled * Rational(1.0 + 0x1p-52));
+      }
+    }
+  }
+}
+
+TEST_CASE("the nearest points are on the features that are named") {
+  Random random(22);
+  for (int i = 0; i < generators::tried(1000); ++i) {
+    const Triangle<double> s{whole(random, 3), whole(random, 3), whole(random, 3)};
+    const Triangle<double> t{whole(random, 3), whole(random, 3), whole(random, 3)};
+    const auto near = contact::nearest_of_triangles_exactly(s, t);
+    if (near.squared_distance == ExactFraction(0)) continue;
+    const auto check = [](const Vector3<ExactFraction>& x, const Feature& f,
+                          const Triangle<double>& of) {
+      // A vertex is itself; a foot on an edge or a face has weights that are quotients: compare in
+      // double.
+      const std::array<Vector3<double>, 3> v{of.a, of.b, of.c};
+      const auto k = static_cast<std::size_t>(f.index);
+      const Vector3<double> p(x[0].nearest(), x[1].nearest(), x[2].nearest());
+      if (f.kind == FeatureKind::vertex) REQUIRE(p == v[k]);
+      if (f.kind == FeatureKind::edge) {
+        const Vector3<double> step = v[(k + 1) % 3] - v[k], to = p - v[k];
+        REQUIRE(step.cross(to).cwiseAbs().maxCoeff() < 1e-12);
+        REQUIRE(step.dot(to) > 0);
+        REQUIRE(step.dot(to) < step.dot(step));
+      }
+      if (f.kind == FeatureKind::face) {
+        const Vector3<double> normal = (of.b - of.a).cross(of.c - of.a);
+        REQUIRE(std::abs(normal.dot(p - of.a)) < 1e-11);
+      }
+    };
+    check(near.on_first, near.of_first, s);
+    check(near.on_second, near.of_second, t);
+  }
+}
+
+TEMPLATE_TEST_CASE("the rounded distance is close to the exact one", "", float, double) {
+  Random random(23);
+  const double unit = std::is_same_v<TestType, float> ? 0x1p-20 : 0x1p-44;
+  for (int i = 0; i < generators::tried(3000); ++i) {
+    const auto any = [&] { return generators::rounded<TestType>(anywhere(random)); };
+    const Triangle<TestType> s{any(), any(), any()}, t{any(), any(), any()};
+    const auto got = contact::nearest_of_triangles(s, t);
+    const auto right = contact::nearest_of_triangles_exactly(s, t);
+    REQUIRE(std::abs(double(got.squared_distance) - right.squared_distance.nearest()) <= unit);
+    const Vector3<double> off = (got.on_first - got.on_second).template cast<double>();
+    REQUIRE(std::abs(off.dot(off) - double(got.squared_distance)) <= unit);
+    REQUIRE((got.squared_distance == 0) ==
+            (contact::common_points(s, t) != contact::CommonPoints::none));
+  }
+}
+
+TEST_CASE("distances from 1e-150 to 1e150 neither vanish nor become NaN") {
+  const Triangle<double> s{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, t{{0, 0, 2}, {1, 0, 2}, {0, 1, 3}};
+  for (int e = -500; e <= 500; e += 50) {
+    const double f = std::ldexp(1.0, e);
+    const auto got = contact::nearest_of_triangles<double>({s.a * f, s.b * f, s.c * f},
+                                                           {t.a * f, t.b * f, t.c * f});
+    CHECK(got.squared_distance == std::ldexp(4.0, 2 * e));
+  }
+  constexpr double huge = std::numeric_limits<double>::max();
+  const auto far = contact::nearest_of_triangles<double>({{huge, 0, 0}, {huge, 1, 0}, {huge, 0, 1}},
+                                                         {{-huge, 0, 0}, {-huge, 1, 0}, {0, 0, 1}});
+  CHECK(far.squared_distance == std::numeric_limits<double>::infinity());
+  CHECK(contact::all_finite(far.on_first));
+  CHECK(contact::all_finite(far.on_second));
+}
+
+TEST_CASE("the distance of triangles that are not finite is NaN") {
+  const Triangle<double> s{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Triangle<double> t = s;
+  t.a.x() = std::numeric_limits<double>::infinity();
+  CHECK(std::isnan(contact::nearest_of_triangles(s, t).squared_distance));
+}
+
+// ---------------------------------------------------------------- the first contact
+
+struct Seen {
+  int found = 0;
+  std::array<long, 6> kinds{};
+};
+void check_first(const Moving& m, Seen& seen) {
+  const auto first = contact::first_contact(m.moving, m.displacement, m.resting);
+  if (!first) {
+    for (const int k : {0, 2, 3, 5, 8}) REQUIRE(!meet_at(m, Rational(k, 8)));
+    return;
+  }
+  if (!first->apart_at_start) {
+    REQUIRE(meet_at(m, 0));
+    return;
+  }
+  ++seen.found;
+  REQUIRE(first->exact_t.nearest() == first->t);
+  REQUIRE(!first->realised_by.empty());
+  REQUIRE(std::any_of(first->contacts.begin(), first->contacts.end(),
+                      [](const auto& c) { return is_sufficient_kind(c.kind); }));
+  for (const auto& c : first->realised_by) {
+    REQUIRE((c.kind == ContactKind::point_face || c.kind == ContactKind::edge_edge));
+  }
+  for (std::size_t k = 0; k < 6; ++k) {
+    seen.kinds[k] += count_kind(first->contacts, static_cast<ContactKind>(k));
+  }
+}
+
+/// Whether a fraction of two small numbers is the time: on the grid it is.
+std::optional<Rational> small_fraction(const ExactFraction& t) {
+  for (int below = 1; below <= 4000; ++below) {
+    const double above = std::round(t.nearest() * below);
+    if (ExactFraction(above) / ExactFraction(below) == t) {
+      return Rational(static_cast<long>(above), below);
+    }
+  }
+  return std::nullopt;
+}
+
+TEST_CASE("bodies on the grid are apart before the first contact and have these features at it") {
+  Random random(24);
+  Seen seen;
+  int compared = 0;
+  for (int i = 0; i < generators::tried(160); ++i) {
+    const Moving m = whole_bodies(random);
+    check_first(m, seen);
+    const auto first = contact::first_contact(m.moving, m.displacement, m.resting);
+    if (!first || !first->apart_at_start) continue;
+    const auto t = small_fraction(first->exact_t);
+    if (!t) continue;
+    ++compared;
+    REQUIRE(as_set(first->contacts) == features_at(m, *t));
+    for (const int k : {1, 10, 30}) {
+      REQUIRE(!meet_at(m, *t * (1 - Rational(1, std::int64_t{1} << k))));
+    }
+  }
+  CHECK(compared > seen.found * 3 / 4);
+  for (const long count : seen.kinds) CHECK(count > 0);
+}
+
+TEST_CASE("random bodies are apart before the first contact and meet just after it") {
+  Random random(25);
+  Seen seen;
+  for (int i = 0; i < generators::tried(64); ++i) {
+    const Moving m = random_bodies(random);
+    check_first(m, seen);
+    const auto first = contact::first_contact(m.moving, m.displacement, m.resting);
+    if (!first) continue;
+    const Rational t = oracle::exact(first->t);
+    for (const int k : {1, 4, 30, 48}) {
+      REQUIRE(!meet_at(m, t * (1 - Rational(1, std::int64_t{1} << k))));
+    }
+    // A body without a flat part goes on into the other.
+    REQUIRE(meet_at(m, t * (1 + Rational(1, std::int64_t{1} << 48))));
+    REQUIRE(first->contacts.size() == 1);
+  }
+  CHECK(seen.kinds[static_cast<std::size_t>(ContactKind::point_face)] > 0);
+  CHECK(seen.kinds[static_cast<std::size_t>(ContactKind::edge_edge)] > 0);
+  CHECK(seen.kinds[static_cast<std::size_t>(ContactKind::edge_face)] == 0);
+  CHECK(seen.kinds[static_cast<std::size_t>(ContactKind::face_face)] == 0);
+}
+
+TEST_CASE("the first contact is the same at every scale, and with the meshes exchanged") {
+  Random random(26);
+  for (int i = 0; i < generators::tried(200); ++i) {
+    const Moving m = i % 2 == 0 ? whole_bodies(random) : random_bodies(random);
+    const auto first = contact::first_contact(m.moving, m.displacement, m.resting);
+    const double f = std::ldexp(1.0, random.integer(-480, 480));
+    Moving s = m;
+    for (auto& x : s.moving.vertices) x *= f;
+    for (auto& x : s.resting.vertices) x *= f;
+    s.displacement *= f;
+    const auto as_scaled = contact::first_contact(s.moving, s.displacement, s.resting);
+    const auto exchanged =
+        contact::first_contact(m.resting, Vector3<double>(-m.displacement), m.moving);
+    REQUIRE(as_scaled.has_value() == first.has_value());
+    REQUIRE(exchanged.has_value() == first.has_value());
+    if (!first) continue;
+    REQUIRE(as_scaled->exact_t == first->exact_t);
+    REQUIRE(exchanged->exact_t == first->exact_t);
+    REQUIRE(as_set(as_scaled->contacts) == as_set(first->contacts));
+    REQUIRE(as_set(as_scaled->realised_by) == as_set(first->realised_by));
+    std::set<Named> reversed;
+    for (const auto& [f1, f2] : as_set(exchanged->contacts)) reversed.insert({f2, f1});
+    REQUIRE(reversed == as_set(first->contacts));
+  }
+}
+
+TEST_CASE("a box that lands on a box touches with four vertices, and no diagonal is an edge") {
+  const auto first = contact::first_contact(contact::box_mesh({1, 1, 6}, {2, 2, 7}), {0, 0, -4},
+                                            contact::box_mesh({0, 0, 0}, {4, 4, 4}));
+  REQUIRE(first);
+  CHECK(first->t == 0.5);
+  CHECK(count_kind(first->contacts, ContactKind::point_face) == 4);
+  CHECK(count_kind(first->contacts, ContactKind::edge_face) == 4);
+  CHECK(count_kind(first->contacts, ContactKind::face_face) == 1);
+  CHECK(first->contacts.size() == 9);
+  CHECK(first->realised_by.size() == 4);
+  for (const auto& c : first->contacts) CHECK(c.position.z() == 4);
+}
+
+TEST_CASE("all six kinds occur when a box lands on another flush with two of its sides") {
+  const auto first = contact::first_contact(contact::box_mesh({0, 0, 5}, {3, 2, 6}), {0, 0, -2},
+                                            contact::box_mesh({0, 0, 0}, {4, 4, 4}));
+  REQUIRE(first);
+  CHECK(count_kind(first->contacts, ContactKind::point_point) == 1);
+  CHECK(count_kind(first->contacts, ContactKind::point_edge) == 2);
+  CHECK(count_kind(first->contacts, ContactKind::point_face) == 1);
+  CHECK(count_kind(first->contacts, ContactKind::edge_edge) == 2);
+  CHECK(count_kind(first->contacts, ContactKind::edge_face) == 2);
+  CHECK(count_kind(first->contacts, ContactKind::face_face) == 1);
+  CHECK(first->contacts.size() == 9);
+}
+
+TEST_CASE("a vertex that slides along a line of an edge arrives at its end") {
+  const Mesh<double> needle = one_triangle({{-3, 0, 0}, {-4, 0, 1}, {-4, 0, -1}});
+  const Mesh<double> other = one_triangle({{0, 0, 0}, {2, 0, 0}, {1, 5, 0}});
+  const auto first = contact::first_contact(needle, {4, 0, 0}, other);
+  REQUIRE(first);
+  CHECK(first->t == 0.75);
+  REQUIRE(first->contacts.size() == 1);
+  CHECK(first->contacts[0].kind == ContactKind::point_point);
+}
+
+TEST_CASE("bodies that pass each other, or do not move far enough, have no first contact") {
+  const Mesh<double> box = contact::box_mesh({0, 0, 0}, {1, 1, 1});
+  const Mesh<double> above = contact::box_mesh({0, 0, 3}, {1, 1, 4});
+  CHECK(!contact::first_contact(above, {0, 0, -1.5}, box));
+  CHECK(!contact::first_contact(above, {9, 0, 0}, box));
+  CHECK(!contact::first_contact(above, {0, 0, 0}, box));
+  CHECK(!contact::first_contact(above, {0, 0, -9}, Mesh<double>{}));
+  CHECK(contact::first_contact(above, {0, 0, -2}, box)->t == 1);
+  CHECK(!contact::first_contact(above, {0, 0, -std::numeric_limits<double>::infinity()}, box));
+}
+
+TEST_CASE("a first contact that differs from another by less than an ulp is found") {
+  // Two spikes come down on a plate that is tilted by 2^-60.
+  Mesh<double> spikes = tetrahedron({Vector3<double>(0, 0, 1), {-1, -1, 2}, {1, -1, 2}, {0, 1, 2}});
+  spikes = contact::joined(spikes, moved(spikes, {4, 0, 0}));
+  const Mesh<double> plate{{{-9, -9, 0}, {9, -9, 0}, {0x1p4, 9, 0x1p-56}, {-0x1p4, 9, -0x1p-56}},
+                           {{0, 1, 2}, {0, 2, 3}}};
+  const auto first = contact::first_contact(spikes, {0, 0, -2}, plate);
+  REQUIRE(first);
+  REQUIRE(first->contacts.size() == 1);
+  CHECK(first->contacts[0].of_moving.kind == FeatureKind::vertex);
+  CHECK(first->contacts[0].of_moving.vertices[0] == 4);
+  CHECK(first->exact_t < ExactFraction(0.5));
+  CHECK(first->t == 0.5);
+}
+
+// ---------------------------------------------------------------- the hypotheses of the theorem
+
+TEST_CASE("without a start apart, an edge through a face can be the only contact") {
+  const Mesh<double> plate = one_triangle({{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}});
+  const Mesh<double> bar = one_triangle({{0, 0, -1}, {0, 0, 1}, {0, 0, 0.5}});
+  const Mesh<double> blade = one_triangle({{0, 0, -1}, {0.5, 0, 1}, {-0.5, 0, 1}});
+  for (const Mesh<double>& m : {bar, blade}) {
+    const auto start = contact::first_contact(m, {1, 0, 0}, plate);
+    REQUIRE(start);
+    CHECK(!start->apart_at_start);
+    CHECK(start->t == 0);
+    CHECK(start->realised_by.empty());
+    CHECK(count_kind(start->contacts, ContactKind::edge_face) > 0);
+    for (const auto& c : start->contacts) CHECK(!is_sufficient_kind(c.kind));
+  }
+}
+
+TEST_CASE("without continuity, the end of a step can have an edge through a face alone") {
+  const Mesh<double> plate = one_triangle({{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}});
+  const Mesh<double> blade = one_triangle({{0, 0, 2}, {0.5, 0, 4}, {-0.5, 0, 4}});
+  const Vector3<double> jump(0, 0, -3);
+  const auto before = contact::first_contact(blade, {0, 0, 0}, plate);
+  CHECK(!before);
+  const auto after = contact::first_contact(moved(blade, jump), {0, 0, 0}, plate);
+  REQUIRE(after);
+  CHECK(after->realised_by.empty());
+  // The continuous motion between the two has a vertex on a face.
+  const auto between = contact::first_contact(blade, jump, plate);
+  REQUIRE(between);
+  REQUIRE(between->contacts.size() == 1);
+  CHECK(between->contacts[0].kind == ContactKind::point_face);
+}
+
+TEST_CASE("without borders, a vertex on an edge is neither point to face nor edge to edge") {
+  const Mesh<double> plate = one_triangle({{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}});
+  const Mesh<double> spike = one_triangle({{0, 0, 2}, {1, -1, 4}, {-1, -1, 4}});
+  const auto first = contact::first_contact(spike, {0, 0, -3}, plate);
+  REQUIRE(first);
+  REQUIRE(first->contacts.size() == 1);
+  CHECK(first->contacts[0].kind == ContactKind::point_edge);
+  CHECK(count_kind(first->realised_by, ContactKind::point_face) == 1);
+  CHECK(count_kind(first->realised_by, ContactKind::edge_edge) == 2);
+}
+
+TEST_CASE("triangles that cross have the distance 0, and the fifteen pairs do not") {
+  const Triangle<double> plate{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}};
+  const Triangle<double> blade{{0, 0, -1}, {0.5, 0, 1}, {-0.5, 0, 1}};
+  CHECK(contact::nearest_of_triangles(plate, blade).squared_distance == 0);
+  CHECK(contact::nearest_of_triangles(plate, blade).kind == ContactKind::edge_face);
+  CHECK(contact::nearest_of_apart_triangles(plate, blade).squared_distance == 1);
+}
+
+// ---------------------------------------------------------------- names
+
+TEST_CASE("the diagonals of a box are inside its faces, and its edges are not") {
+  const Mesh<double> box = contact::box_mesh({0, 0, 0}, {1, 2, 3});
+  contact::FeatureNames names(box);
+  std::set<NamedFeature> faces, edges;
+  for (std::size_t i = 0; i < box.triangles.size(); ++i) {
+    faces.insert(names.of(i, {}));
+    for (int e = 0; e < 3; ++e) {
+      const NamedFeature name = names.of(i, {FeatureKind::edge, e});
+      CHECK((name.kind == FeatureKind::face) == names.is_flat(i, e));
+      if (name.kind == FeatureKind::edge) edges.insert(name);
+    }
+  }
+  CHECK(faces.size() == 6);
+  CHECK(edges.size() == 12);
+}
+
+TEST_CASE("an edge is not flat if its triangles are folded, or bent by one step, or three") {
+  Mesh<double> m{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+  CHECK(contact::FeatureNames(m).is_flat(0, 0));
+  CHECK(contact::FeatureNames(m).is_flat(1, 0));
+  Mesh<double> bent = m;
+  bent.vertices[3].z() = std::numeric_limits<double>::denorm_min();
+  CHECK(!contact::FeatureNames(bent).is_flat(0, 0));
+  Mesh<double> folded = m;
+  folded.vertices[3] = {1, 1, 0};
+  CHECK(!contact::FeatureNames(folded).is_flat(0, 0));
+  Mesh<double> three = m;
+  three.vertices.push_back({0, 0, 1});
+  three.triangles.push_back({0, 1, 4});
+  CHECK(!contact::FeatureNames(three).is_flat(0, 0));
+}
+
+}  // namespace feature_contacts_tests
