@@ -71,6 +71,8 @@ class MeshTree {
   const Mesh<S>& mesh() const { return mesh_; }
   /// The tree of boxes; its items are the triangles.
   const BoxHierarchy<S>& boxes() const { return tree_; }
+  /// The triangles in the order of the tree: number i is triangle boxes().order[i] of the mesh.
+  const std::vector<Triangle<S>>& ordered_triangles() const { return triangles_; }
 
   /// Visits each triangle in the boxes that `enters` accepts; for queries of every kind.
   /// @param enters called with a box, an `Aabb<S>`; returns whether triangles in it can matter. The

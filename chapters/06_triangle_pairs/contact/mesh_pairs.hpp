@@ -1,0 +1,270 @@
+/// @file
+/// Which triangles of two meshes meet, by two trees of boxes: the same pairs as each triangle
+/// against each.
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <contact/aabb.hpp>
+#include <contact/box_tree.hpp>
+#include <contact/exact_ray_triangle.hpp>
+#include <contact/mesh.hpp>
+#include <contact/mesh_tree.hpp>
+#include <contact/shapes.hpp>
+#include <contact/triangles_meet.hpp>
+#include <contact/vector.hpp>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace contact {
+
+// [triangle-pair]
+/// A triangle of each of two meshes, by their numbers.
+struct TrianglePair {
+  int of_first = 0;   ///< of the first mesh
+  int of_second = 0;  ///< of the second mesh; of one mesh, the larger number
+
+  friend auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
+};
+
+/// How many pairs were compared.
+struct PairCounts {
+  std::size_t boxes = 0;      ///< pairs of boxes, also of triangles with boxes and with triangles
+  std::size_t triangles = 0;  ///< pairs of triangles whose boxes touch
+};
+// [/triangle-pair]
+
+namespace mesh_pairs_detail {
+
+/// A pair of nodes of two trees.
+struct NodePair {
+  int of_first, of_second;
+};
+
+/// Half of the surface of a box. An overflow makes it infinite.
+template <FloatOrDouble S>
+S half_surface(const Aabb<S>& box) {
+  const Vector3<S> size = box.high - box.low;
+  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+}
+
+/// Which of two nodes to open, if not both are leaves: the one with the larger box.
+template <FloatOrDouble S>
+bool opens_first(const BoxNode<S>& a, const BoxNode<S>& b) {
+  if (a.count > 0 || b.count > 0) return b.count > 0;
+  return half_surface(a.box) > half_surface(b.box);
+}
+
+template <FloatOrDouble S>
+Aabb<S> box_of(const Triangle<S>& t) {
+  return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
+}
+
+/// Whether the box of a triangle touches another box.
+template <FloatOrDouble S>
+bool touches_box(const Triangle<S>& t, const Aabb<S>& box) {
+  for (int k = 0; k < 3; ++k) {
+    const S x = t.a[k], y = t.b[k], z = t.c[k];
+    const S low = box.low[k], high = box.high[k];
+    if ((x < low && y < low && z < low) || (x > high && y > high && z > high)) return false;
+  }
+  return true;
+}
+
+/// Pairs of nodes that wait to be opened. The last one is next, as in every search in depth; but
+/// from time to time the first one, which is far from there and large. So a search for any pair
+/// does not stay where there is none: after k such changes about 4 k² leaves have been visited.
+class WaitingPairs {
+ public:
+  bool empty() const { return pairs_.empty(); }
+  void add(int i, int j) { pairs_.push_back({i, j}); }
+  NodePair take() {
+    if (leaves_ >= next_change_) {
+      std::swap(pairs_.front(), pairs_.back());
+      step_ += 8;
+      next_change_ += step_;
+    }
+    const NodePair pair = pairs_.back();
+    pairs_.pop_back();
+    return pair;
+  }
+  /// Says that a pair of leaves was visited.
+  void count_leaf() { ++leaves_; }
+
+ private:
+  std::vector<NodePair> pairs_;
+  std::size_t leaves_ = 0, step_ = 8, next_change_ = 8;
+};
+
+}  // namespace mesh_pairs_detail
+
+// [visit-leaves]
+/// Calls visit(x, y) for each pair of leaves of two trees whose boxes touch, as `BoxNode<S>`: a
+/// simultaneous traversal.
+///
+/// It starts with both roots. If two boxes are apart, nothing below the one touches anything below
+/// the other. If they touch, the larger one is opened, and its children are compared with the
+/// other.
+/// @param visit returns whether to stop
+/// @param compared the number of pairs of boxes compared is added to it
+/// @return whether visit stopped
+template <FloatOrDouble S, class Visit>
+bool visit_touching_leaves(const BoxHierarchy<S>& a, const BoxHierarchy<S>& b, const Visit& visit,
+                           std::size_t& compared) {
+  if (a.nodes.empty() || b.nodes.empty()) return false;
+  const auto node = [](const BoxHierarchy<S>& tree, int i) -> const BoxNode<S>& {
+    return tree.nodes[static_cast<std::size_t>(i)];
+  };
+  mesh_pairs_detail::WaitingPairs waiting;
+  const auto compare = [&](int i, int j) {
+    ++compared;
+    if (boxes_touch(node(a, i).box, node(b, j).box)) waiting.add(i, j);
+  };
+  compare(0, 0);
+  while (!waiting.empty()) {
+    const auto [i, j] = waiting.take();
+    const BoxNode<S>&x = node(a, i), &y = node(b, j);
+    if (x.count > 0 && y.count > 0) {
+      if (visit(x, y)) return true;
+      waiting.count_leaf();
+    } else if (mesh_pairs_detail::opens_first(x, y)) {
+      compare(x.first, j);
+      compare(x.first + 1, j);
+    } else {
+      compare(i, y.first);
+      compare(i, y.first + 1);
+    }
+  }
+  return false;
+}
+// [/visit-leaves]
+
+namespace mesh_pairs_detail {
+
+/// Calls each(pair) for the pairs of triangles that meet, in some order, until it returns true.
+template <FloatOrDouble S, class Each>
+bool each_meeting(const MeshTree<S>& a, const MeshTree<S>& b, PairCounts* counts,
+                  const Each& each) {
+  PairCounts done;
+  const auto visit = [&](const BoxNode<S>& x, const BoxNode<S>& y) {
+    for (int k = x.first; k < x.first + x.count; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const Triangle<S>& s = a.ordered_triangles()[i];
+      ++done.boxes;
+      if (!touches_box(s, y.box)) continue;
+      const Aabb<S> box = box_of(s);
+      for (int l = y.first; l < y.first + y.count; ++l) {
+        const auto j = static_cast<std::size_t>(l);
+        const Triangle<S>& t = b.ordered_triangles()[j];
+        ++done.boxes;
+        if (!touches_box(t, box)) continue;
+        ++done.triangles;
+        if (!triangles_meet(s, t)) continue;
+        if (each(TrianglePair{a.boxes().order[i], b.boxes().order[j]})) return true;
+      }
+    }
+    return false;
+  };
+  const bool stopped = visit_touching_leaves<S>(a.boxes(), b.boxes(), visit, done.boxes);
+  if (counts != nullptr) {
+    counts->boxes += done.boxes;
+    counts->triangles += done.triangles;
+  }
+  return stopped;
+}
+
+/// The boxes of the finite triangles, with their numbers.
+template <FloatOrDouble S>
+struct BoxedTriangle {
+  int index;
+  Triangle<S> triangle;
+  Aabb<S> box;
+};
+template <FloatOrDouble S>
+std::vector<BoxedTriangle<S>> boxed_triangles(const Mesh<S>& mesh) {
+  std::vector<BoxedTriangle<S>> boxed;
+  boxed.reserve(mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle<S> t = triangle_of(mesh, i);
+    if (!all_finite(t.a) || !all_finite(t.b) || !all_finite(t.c)) continue;
+    boxed.push_back({static_cast<int>(i), t, box_of(t)});
+  }
+  return boxed;
+}
+
+/// The same of two meshes without trees, in increasing order.
+template <FloatOrDouble S, class Each>
+bool each_meeting(const Mesh<S>& a, const Mesh<S>& b, PairCounts* counts, const Each& each) {
+  const auto of_a = boxed_triangles(a), of_b = boxed_triangles(b);
+  PairCounts done;
+  const auto visit = [&](const BoxedTriangle<S>& s, const BoxedTriangle<S>& t) {
+    ++done.boxes;
+    if (!boxes_touch(s.box, t.box)) return false;
+    ++done.triangles;
+    return triangles_meet(s.triangle, t.triangle) && each(TrianglePair{s.index, t.index});
+  };
+  const bool stopped = std::any_of(of_a.begin(), of_a.end(), [&](const auto& s) {
+    return std::any_of(of_b.begin(), of_b.end(), [&](const auto& t) { return visit(s, t); });
+  });
+  if (counts != nullptr) {
+    counts->boxes += done.boxes;
+    counts->triangles += done.triangles;
+  }
+  return stopped;
+}
+
+/// All pairs that meet, sorted.
+template <class Meshes>
+std::vector<TrianglePair> sorted_pairs(const Meshes& a, const Meshes& b, PairCounts* counts) {
+  std::vector<TrianglePair> pairs;
+  each_meeting(a, b, counts, [&pairs](const TrianglePair& pair) {
+    pairs.push_back(pair);
+    return false;
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace mesh_pairs_detail
+
+// [meeting-triangles]
+/// The pairs of triangles of two meshes that have a point in common, sorted: each triangle against
+/// each, first by their boxes.
+///
+/// Right for all meshes, as `triangles_meet` is: closed, open, a soup, crossing itself. Only the
+/// surfaces count: a mesh inside another one meets nothing. A triangle with a coordinate that is
+/// not finite is left out. An empty mesh meets nothing.
+///
+/// Limits: n·m pairs of boxes.
+/// @param a m; an index that is out of range is an error of the program
+/// @param b m; the same
+/// @param counts if not null, what was compared is added to it
+template <FloatOrDouble S>
+std::vector<TrianglePair> meeting_triangles(const Mesh<S>& a, const Mesh<S>& b,
+                                            PairCounts* counts = nullptr) {
+  return mesh_pairs_detail::sorted_pairs(a, b, counts);
+}
+/// The same list by two trees: only pairs of leaves whose boxes touch are compared.
+///
+/// Limits: meshes that are close to each other everywhere take a time that grows with the number
+/// of their triangles; long slivers, whose boxes overlap, up to n·m.
+template <FloatOrDouble S>
+std::vector<TrianglePair> meeting_triangles(const MeshTree<S>& a, const MeshTree<S>& b,
+                                            PairCounts* counts = nullptr) {
+  return mesh_pairs_detail::sorted_pairs(a, b, counts);
+}
+
+/// Whether any triangle of a mesh meets one of another: whether the list is not empty.
+template <FloatOrDouble S>
+bool any_meeting(const Mesh<S>& a, const Mesh<S>& b, PairCounts* counts = nullptr) {
+  return mesh_pairs_detail::each_meeting(a, b, counts, [](const TrianglePair&) { return true; });
+}
+/// The same by two trees. It ends with the first pair that is found.
+template <FloatOrDouble S>
+bool any_meeting(const MeshTree<S>& a, const MeshTree<S>& b, PairCounts* counts = nullptr) {
+  return mesh_pairs_detail::each_meeting(a, b, counts, [](const TrianglePair&) { return true; });
+}
+// [/meeting-triangles]
+
+}  // namespace contact
