@@ -35,12 +35,11 @@ struct Row {
     };
     return from == nullptr ? in_exact(to) : Vector3<Exact>(in_exact(to) - in_exact(*from));
   }
-  /// Whether `rounded` has no error, and is so moderate that products of three have none either.
+  /// Whether `rounded` has no error.
   bool is_plain() const {
+    if (from == nullptr) return true;
     for (int k = 0; k < 3; ++k) {
-      double x = to[k];
-      if (from != nullptr && !orientation_detail::exact_difference(x, (*from)[k], x)) return false;
-      if (!orientation_detail::moderate(x)) return false;
+      if (two_sum(to[k], -(*from)[k]).error != 0) return false;
     }
     return true;
   }
@@ -50,32 +49,14 @@ inline Exact exact_determinant(const Row& p, const Row& q, const Row& r) {
   return p.exact().dot(Vector3<Exact>(q.exact().cross(r.exact())));
 }
 
-/// The sign of p·(q × r) for rows without error, as `orient_3d_in_doubt` computes it.
-inline int sign_by_expansion(const Vector3<double>& p, const Vector3<double>& q,
-                             const Vector3<double>& r) {
-  orientation_detail::Expansion<24> sum;
-  const auto add = [&sum](double x, double y, double z) {
-    const WithError<double> yz = two_product(y, z);
-    for (const double component : {yz.error, yz.value}) {
-      const WithError<double> product = two_product(x, component);
-      orientation_detail::grow(sum, product.error);
-      orientation_detail::grow(sum, product.value);
-    }
-  };
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    add(p[i], q[j], r[k]);
-    add(-p[i], q[k], r[j]);
-  }
-  return sum.sign();
-}
-
 /// The sign of p·(q × r), without error.
 inline int determinant_sign(const Row& p, const Row& q, const Row& r) {
   const Vector3<double> x = p.rounded(), y = q.rounded(), z = r.rounded();
   const int certain = bounded_volume(x, y, z).certain_sign();
   if (certain != 0) return certain;
-  if (p.is_plain() && q.is_plain() && r.is_plain()) return sign_by_expansion(x, y, z);
+  if (p.is_plain() && q.is_plain() && r.is_plain()) {
+    return orient_3d_in_doubt(Vector3<double>::Zero(), y, z, x);
+  }
   return exact_determinant(p, q, r).sign();
 }
 
