@@ -54,6 +54,7 @@ TEST_CASE("orientation predicates have the sign that fractions give, on every ki
       const Rational area = contact::orientation<Rational>(exact(a), exact(b), exact(c));
       REQUIRE(contact::orient_2d(flat(a), flat(b), flat(c)) == oracle::sign(area));
       REQUIRE(contact::orient_2d_exactly(flat(a), flat(b), flat(c)) == oracle::sign(area));
+      REQUIRE(contact::orient_2d_in_doubt(flat(a), flat(b), flat(c)) == oracle::sign(area));
       require_bound(contact::bounded_orientation(flat(a), flat(b), flat(c)), area);
     }
   }

@@ -3,15 +3,15 @@
 /// space, with the right sign for every finite input.
 #pragma once
 
-#include <array>
 #include <cmath>
+#include <contact/difference_determinant.hpp>
 #include <contact/drop_dimension.hpp>
-#include <contact/error_free.hpp>
 #include <contact/exact.hpp>
 #include <contact/filter.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace contact {
 
@@ -54,43 +54,7 @@ S signed_volume(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
 
 namespace orientation_detail {
 
-/// −1, 0 or +1.
-inline int sign_of(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
-
-/// A floating-point expansion: a sum of doubles that do not overlap, in increasing order and
-/// without zeros. Its sign is that of the last one.
-template <std::size_t Capacity>
-struct Expansion {
-  std::array<double, Capacity> component{};  ///< the doubles
-  std::size_t size = 0;                      ///< how many there are
-
-  /// Appends one that is larger than all there are, unless it is zero.
-  void push(double x) {
-    if (x != 0) component[size++] = x;
-  }
-  /// −1, 0 or +1.
-  int sign() const { return size == 0 ? 0 : sign_of(component[size - 1]); }
-};
-
-/// Adds one number (Shewchuk's GROW-EXPANSION, with the zeros left out).
-template <std::size_t Capacity>
-void grow(Expansion<Capacity>& e, double x) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < e.size; ++i) {
-    const WithError<double> sum = two_sum(x, e.component[i]);
-    x = sum.value;
-    if (sum.error != 0) e.component[kept++] = sum.error;
-  }
-  e.size = kept;
-  e.push(x);
-}
-
-/// Whether x − y has no rounding error, and its value.
-inline bool exact_difference(double x, double y, double& difference) {
-  const WithError<double> sum = two_sum(x, -y);
-  difference = sum.value;
-  return sum.error == 0;
-}
+using difference_detail::sign_of;
 
 /// Whether products of three such numbers and their errors neither overflow nor underflow: each is
 /// a whole multiple of 2^-352 below 2^300.
@@ -138,6 +102,24 @@ inline Bounded bounded_orientation(const Vector2<double>& a, const Vector2<doubl
 }
 // [/filter-bound]
 
+/// Decides what the filter could not: the orientation of three points, right for every finite
+/// input.
+///
+/// The differences are exact as pairs of doubles, and these are scaled to integers, of which the
+/// determinant is computed without error. `Exact` decides about numbers that span more than 140
+/// bits and those at the ends of the range of double.
+[[gnu::noinline]] inline int orient_2d_in_doubt(const Vector2<double>& a, const Vector2<double>& b,
+                                                const Vector2<double>& c) {
+  difference_detail::Differences<4> numbers;
+  for (int i = 0; i < 2; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    numbers.set(k, b[i], a[i]);
+    numbers.set(2 + k, c[i], a[i]);
+  }
+  const std::optional<int> sign = determinant_sign(numbers);
+  return sign ? *sign : orient_2d_exactly(a, b, c);
+}
+
 /// The orientation of three points: +1 if c is left of the line from a to b, −1 if it is right of
 /// it, 0 if it is exactly on it (or a = b).
 ///
@@ -151,42 +133,24 @@ inline Bounded bounded_orientation(const Vector2<double>& a, const Vector2<doubl
 // [filter-2d]
 inline int orient_2d(const Vector2<double>& a, const Vector2<double>& b, const Vector2<double>& c) {
   const int certain = bounded_orientation(a, b, c).certain_sign();
-  return certain != 0 ? certain : orient_2d_exactly(a, b, c);
+  return certain != 0 ? certain : orient_2d_in_doubt(a, b, c);
 }
 // [/filter-2d]
 
-/// Decides what the filter could not: on which side of the plane a, b, c the point d is.
-///
-/// If the nine differences have no rounding error (whole numbers, floats of similar size), the
-/// determinant is summed as a floating-point expansion: two_product makes each product of two
-/// numbers an exact pair, and each product of three at most four components, so there are at most
-/// 24. Otherwise, or at extreme scales, the exact type decides.
-inline int orient_3d_in_doubt(const Vector3<double>& a, const Vector3<double>& b,
-                              const Vector3<double>& c, const Vector3<double>& d) {
-  using namespace orientation_detail;
-  Vector3<double> p(0, 0, 0), q(0, 0, 0), r(0, 0, 0);
-  bool plain = true;
+/// Decides what the filter could not: on which side of the plane a, b, c the point d is. As
+/// `orient_2d_in_doubt`.
+[[gnu::noinline]] inline int orient_3d_in_doubt(const Vector3<double>& a, const Vector3<double>& b,
+                                                const Vector3<double>& c,
+                                                const Vector3<double>& d) {
+  difference_detail::Differences<9> numbers;
   for (int i = 0; i < 3; ++i) {
-    plain = plain && exact_difference(d[i], a[i], p[i]) && exact_difference(b[i], a[i], q[i]) &&
-            exact_difference(c[i], a[i], r[i]) && moderate(p[i]) && moderate(q[i]) &&
-            moderate(r[i]);
+    const auto k = static_cast<std::size_t>(i);
+    numbers.set(k, d[i], a[i]);
+    numbers.set(3 + k, b[i], a[i]);
+    numbers.set(6 + k, c[i], a[i]);
   }
-  if (!plain) return orient_3d_exactly(a, b, c, d);
-  Expansion<24> sum;
-  const auto add = [&sum](double x, double y, double z) {
-    const WithError<double> yz = two_product(y, z);
-    for (const double component : {yz.error, yz.value}) {
-      const WithError<double> product = two_product(x, component);
-      grow(sum, product.error);
-      grow(sum, product.value);
-    }
-  };
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    add(p[i], q[j], r[k]);
-    add(-p[i], q[k], r[j]);
-  }
-  return sum.sign();
+  const std::optional<int> sign = determinant_sign(numbers);
+  return sign ? *sign : orient_3d_exactly(a, b, c, d);
 }
 
 // [filter-3d]
@@ -198,7 +162,7 @@ inline int orient_3d_in_doubt(const Vector3<double>& a, const Vector3<double>& b
 ///
 /// @param a,b,c,d m, any scale; coordinates must be finite
 ///
-/// Source: the filter is `bounded_volume`; Shewchuk 1997 for expansions.
+/// Source: the filter is `bounded_volume`, as in Shewchuk 1997.
 inline int orient_3d(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
                      const Vector3<double>& d) {
   const int certain = bounded_volume(d - a, b - a, c - a).certain_sign();

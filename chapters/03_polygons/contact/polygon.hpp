@@ -80,8 +80,8 @@ inline Vector2<Exact> in_exact(const Vector2<double>& v) { return {Exact(v.x()),
 /// |right|: the products of two errors, u² M; three additions of errors, 3u² M; four products and
 /// three additions, 6u² M; the sum of both parts, 4u² M. That is 14u² M, and 16u² M leaves room.
 /// The last addition is rounded without changing the sign. Products of such numbers are 0 or at
-/// least 2^-600, so underflow in the small terms is far below the room. The exact type decides the
-/// rest.
+/// least 2^-600, so underflow in the small terms is far below the room. `orient_2d_in_doubt` decides
+/// the rest.
 [[gnu::noinline]] inline int side_in_doubt(const Vector2<double>& a, const Vector2<double>& b,
                                            const Vector2<double>& c) {
   using namespace orientation_detail;
@@ -104,7 +104,7 @@ inline Vector2<Exact> in_exact(const Vector2<double>& v) { return {Exact(v.x()),
     if (std::abs(sum) > sixteen_u2 * (std::abs(left) + std::abs(right))) return sign_of(sum);
   }
   if (!all_finite(a) || !all_finite(b) || !all_finite(c)) return 0;
-  return orient_2d_exactly(a, b, c);
+  return orient_2d_in_doubt(a, b, c);
 }
 // [/side-in-doubt]
 
