@@ -80,8 +80,8 @@ inline Vector2<Exact> in_exact(const Vector2<double>& v) { return {Exact(v.x()),
 /// |right|: the products of two errors, u² M; three additions of errors, 3u² M; four products and
 /// three additions, 6u² M; the sum of both parts, 4u² M. That is 14u² M, and 16u² M leaves room.
 /// The last addition is rounded without changing the sign. Products of such numbers are 0 or at
-/// least 2^-600, so underflow in the small terms is far below the room. `orient_2d_in_doubt` decides
-/// the rest.
+/// least 2^-600, so underflow in the small terms is far below the room. Integers decide the
+/// rest.
 [[gnu::noinline]] inline int side_in_doubt(const Vector2<double>& a, const Vector2<double>& b,
                                            const Vector2<double>& c) {
   using namespace orientation_detail;
