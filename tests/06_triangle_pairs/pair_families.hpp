@@ -135,7 +135,8 @@ inline Lattice lattice(Random& random, Whole size) {
     Lattice made{point(random, size / 2), step(random, size), step(random, size)};
     if (random.chance(0.2)) made.u[random.integer(0, 2)] = 0;
     if (random.chance(0.2)) made.v[random.integer(0, 2)] = 0;
-    if (made.u.cross(made.v) != Point::Zero()) return made;
+    const contact::Vector3<double> u = made.u.cast<double>(), v = made.v.cast<double>();
+    if (u.cross(v) != contact::Vector3<double>::Zero()) return made;  // the integers may overflow
   }
 }
 
