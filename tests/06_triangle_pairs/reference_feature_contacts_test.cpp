@@ -128,7 +128,7 @@ using Named = std::pair<NamedFeature, NamedFeature>;
 /// each common set, of the middle of each two of them, and of the middle of all.
 std::set<Named> features_at(const Moving& m, const Rational& t) {
   const ExactMesh a(m.moving, m.displacement, t), b(m.resting, {0, 0, 0}, 0);
-  contact::FeatureNames of_a(m.moving), of_b(m.resting);
+  const contact::FeatureNames of_a(m.moving), of_b(m.resting);
   std::set<Named> found;
   for (std::size_t i = 0; i < a.triangles.size(); ++i) {
     for (std::size_t j = 0; j < b.triangles.size(); ++j) {
@@ -525,7 +525,7 @@ TEST_CASE("triangles that cross have the distance 0, and the fifteen pairs do no
 
 TEST_CASE("the diagonals of a box are inside its faces, and its edges are not") {
   const Mesh<double> box = contact::box_mesh({0, 0, 0}, {1, 2, 3});
-  contact::FeatureNames names(box);
+  const contact::FeatureNames names(box);
   std::set<NamedFeature> faces, edges;
   for (std::size_t i = 0; i < box.triangles.size(); ++i) {
     faces.insert(names.of(i, {}));

@@ -42,7 +42,8 @@ class FeatureNames {
   /// @param mesh m, finite vertices; a triangle with a repeated index has no flat edge
   template <FloatOrDouble S>
   explicit FeatureNames(const Mesh<S>& mesh)
-      : triangles_(mesh.triangles), sets_(mesh.triangles.size()), flat_(mesh.triangles.size()) {
+      : triangles_(mesh.triangles), flat_(mesh.triangles.size()) {
+    mesh_check_detail::Sets sets(mesh.triangles.size());
     using mesh_check_detail::HalfEdge;
     const auto sides = mesh_check_detail::sorted_half_edges(mesh);
     mesh_check_detail::for_each_group(
@@ -52,14 +53,17 @@ class FeatureNames {
           if (std::distance(begin, end) != 2) return;
           const HalfEdge &g = *begin, &h = *std::next(begin);
           if (!is_flat(mesh, g.low, g.high, third(g), third(h))) return;
-          sets_.unite(g.triangle, h.triangle);
+          sets.unite(g.triangle, h.triangle);
           mark(g);
           mark(h);
         });
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      faces_.push_back(sets.find(static_cast<int>(i)));
+    }
   }
 
   /// The feature of the mesh whose relative interior contains that of a feature of triangle i.
-  NamedFeature of(std::size_t i, const Feature& feature) {
+  NamedFeature of(std::size_t i, const Feature& feature) const {
     const std::array<int, 3>& t = triangles_[i];
     const auto index = static_cast<std::size_t>(feature.index);
     if (feature.kind == FeatureKind::vertex) return {FeatureKind::vertex, {t[index], -1, -1}};
@@ -72,14 +76,14 @@ class FeatureNames {
     return {FeatureKind::face, named};
   }
   /// The first triangle of the face that triangle i belongs to.
-  int face(std::size_t i) { return sets_.find(static_cast<int>(i)); }
+  int face(std::size_t i) const { return faces_[i]; }
   /// Whether edge 0, 1 or 2 of triangle i is flat.
   bool is_flat(std::size_t i, int edge) const { return flat_[i][static_cast<std::size_t>(edge)]; }
 
  private:
   const std::vector<std::array<int, 3>>& triangles_;
-  mesh_check_detail::Sets sets_;
   std::vector<std::array<bool, 3>> flat_;
+  std::vector<int> faces_;  // the first triangle of each triangle's face
 
   const std::array<int, 3>& triangle(const mesh_check_detail::HalfEdge& side) const {
     return triangles_[static_cast<std::size_t>(side.triangle)];
