@@ -111,7 +111,7 @@ TEST_CASE("pairs at the ends of the range of doubles and of floats are decided w
   for (const Family family : pair_families::all) {
     INFO(pair_families::name(family));
     Random random(300 + static_cast<std::uint64_t>(family));
-    for (int i = 0; i < generators::tried(1000); ++i) {
+    for (int i = 0; i < generators::tried(500); ++i) {
       const Pair<double> doubles = pair_families::pair<double>(random, family);
       const bool meet = pair_truth::meet_in_integers(doubles.first, doubles.second);
       check(doubles, -1074, meet);
@@ -127,7 +127,7 @@ TEST_CASE("pairs at the ends of the range of doubles and of floats are decided w
 
 TEST_CASE("any bit patterns are decided as exact arithmetic without a filter decides them") {
   Random random(400);
-  for (int i = 0; i < generators::tried(3000); ++i) {
+  for (int i = 0; i < generators::tried(1500); ++i) {
     Pair<double> pair;
     for (auto* t : {&pair.first, &pair.second}) {
       *t = {generators::any_vector(random), generators::any_vector(random),
