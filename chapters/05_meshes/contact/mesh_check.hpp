@@ -67,6 +67,29 @@ struct MeshReport {
 
 namespace mesh_check_detail {
 
+/// The groups of finite vertices with equal coordinates, each in increasing order.
+template <std::floating_point S>
+std::vector<std::vector<int>> equal_vertices(const Mesh<S>& mesh) {
+  std::vector<int> order;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (all_finite(mesh.vertices[v])) order.push_back(static_cast<int>(v));
+  }
+  const auto key = [&mesh](int v) {
+    const Vector3<S>& p = mesh.vertices[static_cast<std::size_t>(v)];
+    return std::array<S, 3>{p.x(), p.y(), p.z()};
+  };
+  std::sort(order.begin(), order.end(),
+            [&key](int v, int w) { return key(v) != key(w) ? key(v) < key(w) : v < w; });
+  std::vector<std::vector<int>> groups;
+  for_each_group(
+      order.begin(), order.end(), [&key](int v, int w) { return key(v) == key(w); },
+      [&groups](auto begin, auto end) {
+        if (end - begin > 1) groups.emplace_back(begin, end);
+      });
+  std::sort(groups.begin(), groups.end());
+  return groups;
+}
+
 /// The search for faults, one kind after the other.
 template <std::floating_point S>
 class MeshCheck {
@@ -204,30 +227,13 @@ class MeshCheck {
           report_.manifold = false;
           add(Kind::several_fans, one_of_each, {begin->first});
         });
-    std::vector<int> order;
     for (std::size_t v = 0; v < used.size(); ++v) {
       const int index = static_cast<int>(v);
-      if (!finite(index)) {
-        add(Kind::vertex_not_finite, {}, {index});
-      } else {
-        order.push_back(index);
-      }
+      if (!finite(index)) add(Kind::vertex_not_finite, {}, {index});
       if (!used[v]) add(Kind::unused_vertex, {}, {index});
     }
-    const auto key = [this](int v) {
-      const Vector3<double> p = position(v);
-      return std::array<double, 3>{p.x(), p.y(), p.z()};
-    };
-    std::sort(order.begin(), order.end(),
-              [&key](int v, int w) { return key(v) != key(w) ? key(v) < key(w) : v < w; });
-    std::vector<std::vector<int>> equal;
-    for_each_group(
-        order.begin(), order.end(), [&key](int v, int w) { return key(v) == key(w); },
-        [&equal](auto begin, auto end) {
-          if (end - begin > 1) equal.emplace_back(begin, end);
-        });
-    std::sort(equal.begin(), equal.end());
-    for (std::vector<int>& group : equal) add(Kind::equal_vertices, {}, std::move(group));
+    for (std::vector<int>& group : equal_vertices(mesh_))
+      add(Kind::equal_vertices, {}, std::move(group));
   }
 
   void check_components() {
@@ -358,9 +364,8 @@ template <std::floating_point S>
 Mesh<S> merge_equal_vertices(Mesh<S> mesh) {
   std::vector<int> name(mesh.vertices.size());
   std::iota(name.begin(), name.end(), 0);
-  for (const MeshFault& fault : check_mesh(Mesh<S>{mesh.vertices, {}}).faults) {
-    if (fault.kind != MeshFaultKind::equal_vertices) continue;
-    for (const int v : fault.vertices) name[static_cast<std::size_t>(v)] = fault.vertices[0];
+  for (const std::vector<int>& group : mesh_check_detail::equal_vertices(mesh)) {
+    for (const int v : group) name[static_cast<std::size_t>(v)] = group[0];
   }
   for (auto& triangle : mesh.triangles) {
     for (int& v : triangle) {
