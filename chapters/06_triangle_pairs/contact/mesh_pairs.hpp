@@ -10,7 +10,10 @@
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/mesh.hpp>
 #include <contact/mesh_tree.hpp>
+#include <contact/orientation.hpp>
 #include <contact/shapes.hpp>
+#include <contact/triangle_features.hpp>
+#include <contact/triangle_intersection.hpp>
 #include <contact/triangles_meet.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
@@ -61,15 +64,16 @@ Aabb<S> box_of(const Triangle<S>& t) {
   return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
 }
 
-/// Whether the box of a triangle touches another box.
+/// Whether the box of a triangle touches another box; without a branch to mispredict.
 template <FloatOrDouble S>
 bool touches_box(const Triangle<S>& t, const Aabb<S>& box) {
+  int apart = 0;
   for (int k = 0; k < 3; ++k) {
-    const S x = t.a[k], y = t.b[k], z = t.c[k];
-    const S low = box.low[k], high = box.high[k];
-    if ((x < low && y < low && z < low) || (x > high && y > high && z > high)) return false;
+    const S low = std::min(std::min(t.a[k], t.b[k]), t.c[k]);
+    const S high = std::max(std::max(t.a[k], t.b[k]), t.c[k]);
+    apart |= int(high < box.low[k]) | int(box.high[k] < low);
   }
-  return true;
+  return apart == 0;
 }
 
 /// Pairs of nodes that wait to be opened. The last one is next, as in every search in depth; but
@@ -97,26 +101,25 @@ class WaitingPairs {
   std::size_t leaves_ = 0, step_ = 8, next_change_ = 8;
 };
 
-}  // namespace mesh_pairs_detail
+template <FloatOrDouble S>
+const BoxNode<S>& node(const BoxHierarchy<S>& tree, int i) {
+  return tree.nodes[static_cast<std::size_t>(i)];
+}
 
 // [visit-leaves]
-/// Calls visit(x, y) for each pair of leaves of two trees whose boxes touch, as `BoxNode<S>`: a
-/// simultaneous traversal.
+/// Calls visit(x, y) for each pair of leaves of two trees whose boxes touch, as `BoxNode<S>`, until
+/// it returns true: a simultaneous traversal.
 ///
 /// It starts with both roots. If two boxes are apart, nothing below the one touches anything below
 /// the other. If they touch, the larger one is opened, and its children are compared with the
-/// other.
-/// @param visit returns whether to stop
+/// other. A tree with itself: each pair of leaves once, and each leaf with itself.
 /// @param compared the number of pairs of boxes compared is added to it
 /// @return whether visit stopped
 template <FloatOrDouble S, class Visit>
 bool visit_touching_leaves(const BoxHierarchy<S>& a, const BoxHierarchy<S>& b, const Visit& visit,
                            std::size_t& compared) {
   if (a.nodes.empty() || b.nodes.empty()) return false;
-  const auto node = [](const BoxHierarchy<S>& tree, int i) -> const BoxNode<S>& {
-    return tree.nodes[static_cast<std::size_t>(i)];
-  };
-  mesh_pairs_detail::WaitingPairs waiting;
+  WaitingPairs waiting;
   const auto compare = [&](int i, int j) {
     ++compared;
     if (boxes_touch(node(a, i).box, node(b, j).box)) waiting.add(i, j);
@@ -128,7 +131,11 @@ bool visit_touching_leaves(const BoxHierarchy<S>& a, const BoxHierarchy<S>& b, c
     if (x.count > 0 && y.count > 0) {
       if (visit(x, y)) return true;
       waiting.count_leaf();
-    } else if (mesh_pairs_detail::opens_first(x, y)) {
+    } else if (&x == &y) {
+      waiting.add(x.first, x.first);
+      waiting.add(x.first + 1, x.first + 1);
+      compare(x.first, x.first + 1);
+    } else if (opens_first(x, y)) {
       compare(x.first, j);
       compare(x.first + 1, j);
     } else {
@@ -140,37 +147,49 @@ bool visit_touching_leaves(const BoxHierarchy<S>& a, const BoxHierarchy<S>& b, c
 }
 // [/visit-leaves]
 
-namespace mesh_pairs_detail {
+/// Adds to counts that are asked for.
+inline void add(PairCounts* counts, const PairCounts& done) {
+  if (counts == nullptr) return;
+  counts->boxes += done.boxes;
+  counts->triangles += done.triangles;
+}
+
+/// Calls each(i, j) for the positions of triangles in two leaves whose boxes touch and for which
+/// `meet` is true of the triangles, until it returns true. A leaf with itself: i < j.
+template <FloatOrDouble S, class Meet, class Each>
+bool each_of_leaves(const MeshTree<S>& a, const BoxNode<S>& x, const MeshTree<S>& b,
+                    const BoxNode<S>& y, PairCounts& done, const Meet& meet, const Each& each) {
+  for (int i = x.first; i < x.first + x.count; ++i) {
+    const Triangle<S>& s = a.ordered_triangles()[static_cast<std::size_t>(i)];
+    ++done.boxes;
+    if (!touches_box(s, y.box)) continue;
+    const Aabb<S> box = box_of(s);
+    for (int j = &x == &y ? i + 1 : y.first; j < y.first + y.count; ++j) {
+      const Triangle<S>& t = b.ordered_triangles()[static_cast<std::size_t>(j)];
+      ++done.boxes;
+      if (!touches_box(t, box)) continue;
+      ++done.triangles;
+      if (meet(s, t) && each(i, j)) return true;
+    }
+  }
+  return false;
+}
 
 /// Calls each(pair) for the pairs of triangles that meet, in some order, until it returns true.
 template <FloatOrDouble S, class Each>
 bool each_meeting(const MeshTree<S>& a, const MeshTree<S>& b, PairCounts* counts,
                   const Each& each) {
   PairCounts done;
+  const auto meet = [](const Triangle<S>& s, const Triangle<S>& t) { return triangles_meet(s, t); };
+  const auto report = [&](int i, int j) {
+    return each(TrianglePair{a.boxes().order[static_cast<std::size_t>(i)],
+                             b.boxes().order[static_cast<std::size_t>(j)]});
+  };
   const auto visit = [&](const BoxNode<S>& x, const BoxNode<S>& y) {
-    for (int k = x.first; k < x.first + x.count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const Triangle<S>& s = a.ordered_triangles()[i];
-      ++done.boxes;
-      if (!touches_box(s, y.box)) continue;
-      const Aabb<S> box = box_of(s);
-      for (int l = y.first; l < y.first + y.count; ++l) {
-        const auto j = static_cast<std::size_t>(l);
-        const Triangle<S>& t = b.ordered_triangles()[j];
-        ++done.boxes;
-        if (!touches_box(t, box)) continue;
-        ++done.triangles;
-        if (!triangles_meet(s, t)) continue;
-        if (each(TrianglePair{a.boxes().order[i], b.boxes().order[j]})) return true;
-      }
-    }
-    return false;
+    return each_of_leaves(a, x, b, y, done, meet, report);
   };
   const bool stopped = visit_touching_leaves<S>(a.boxes(), b.boxes(), visit, done.boxes);
-  if (counts != nullptr) {
-    counts->boxes += done.boxes;
-    counts->triangles += done.triangles;
-  }
+  add(counts, done);
   return stopped;
 }
 
@@ -207,10 +226,7 @@ bool each_meeting(const Mesh<S>& a, const Mesh<S>& b, PairCounts* counts, const 
   const bool stopped = std::any_of(of_a.begin(), of_a.end(), [&](const auto& s) {
     return std::any_of(of_b.begin(), of_b.end(), [&](const auto& t) { return visit(s, t); });
   });
-  if (counts != nullptr) {
-    counts->boxes += done.boxes;
-    counts->triangles += done.triangles;
-  }
+  add(counts, done);
   return stopped;
 }
 
@@ -266,5 +282,92 @@ bool any_meeting(const MeshTree<S>& a, const MeshTree<S>& b, PairCounts* counts 
   return mesh_pairs_detail::each_meeting(a, b, counts, [](const TrianglePair&) { return true; });
 }
 // [/meeting-triangles]
+
+namespace mesh_pairs_detail {
+
+/// Whether a vertex of t is one of s.
+template <FloatOrDouble S>
+bool is_vertex_of(const Triangle<S>& s, const Vector3<S>& v) {
+  return v == s.a || v == s.b || v == s.c;
+}
+
+/// Whether the vertices of t that are not of s are all on one side of its plane. Then t has no more
+/// in common with the plane than the vertex or the edge that the triangles share.
+template <FloatOrDouble S>
+bool leaves_plane(const Triangle<S>& s, const Triangle<S>& t) {
+  const Triangle<double> plane = in_double(s);
+  int side = 0;
+  for (const Vector3<S>* v : {&t.a, &t.b, &t.c}) {
+    if (is_vertex_of(s, *v)) continue;
+    const int of_v = orient_3d(plane.a, plane.b, plane.c, v->template cast<double>());
+    if (of_v == 0 || of_v * side < 0) return false;
+    side = of_v;
+  }
+  return side != 0;
+}
+
+// [meet-beyond]
+/// Whether two triangles have a point in common that is not on a vertex or an edge that they share.
+///
+/// Their common set is convex, with an end or vertex that is not a vertex of both, or it is
+/// spanned by shared vertices: then it is one of them, an edge between two, or an area.
+template <FloatOrDouble S>
+bool meet_beyond_shared(const Triangle<S>& s, const Triangle<S>& t) {
+  if (!is_vertex_of(s, t.a) && !is_vertex_of(s, t.b) && !is_vertex_of(s, t.c)) {
+    return triangles_meet(s, t);
+  }
+  if (leaves_plane(s, t) || leaves_plane(t, s)) return false;
+  const TriangleIntersection<S> common = intersect_triangles(s, t);
+  if (common.kind == CommonPoints::area) return true;
+  return std::any_of(common.points.begin(), common.points.begin() + common.count,
+                     [](const CommonPoint<S>& point) {
+                       return point.of_first.kind != FeatureKind::vertex ||
+                              point.of_second.kind != FeatureKind::vertex;
+                     });
+}
+// [/meet-beyond]
+
+}  // namespace mesh_pairs_detail
+
+// [self-meeting]
+/// The pairs of triangles of one mesh that have a point in common besides the vertices and edges
+/// that they share, sorted; in each pair the smaller number first. A mesh without such pairs does
+/// not cross or touch itself.
+///
+/// A vertex is shared if the two triangles have vertices at equal positions, so it is the same for
+/// a soup. An edge is shared if its two ends are. Exact, touching counts: a vertex on a face or on
+/// the middle of an edge, folded triangles, the same triangle twice. A triangle with a coordinate
+/// that is not finite is left out.
+///
+/// Limits: as of `meeting_triangles`.
+/// @param counts if not null, what was compared is added to it
+template <FloatOrDouble S>
+std::vector<TrianglePair> self_meeting_triangles(const MeshTree<S>& tree,
+                                                 PairCounts* counts = nullptr) {
+  using namespace mesh_pairs_detail;
+  std::vector<TrianglePair> pairs;
+  PairCounts done;
+  const auto report = [&](int i, int j) {
+    const auto [low, high] = std::minmax({tree.boxes().order[static_cast<std::size_t>(i)],
+                                          tree.boxes().order[static_cast<std::size_t>(j)]});
+    pairs.push_back({low, high});
+    return false;
+  };
+  const auto visit = [&](const BoxNode<S>& x, const BoxNode<S>& y) {
+    return each_of_leaves(tree, x, tree, y, done, meet_beyond_shared<S>, report);
+  };
+  visit_touching_leaves<S>(tree.boxes(), tree.boxes(), visit, done.boxes);
+  add(counts, done);
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+/// The same of a mesh for which no tree is there yet.
+/// @throws std::invalid_argument if a triangle names a vertex that does not exist
+template <FloatOrDouble S>
+std::vector<TrianglePair> self_meeting_triangles(const Mesh<S>& mesh,
+                                                 PairCounts* counts = nullptr) {
+  return self_meeting_triangles(MeshTree<S>(mesh), counts);
+}
+// [/self-meeting]
 
 }  // namespace contact
