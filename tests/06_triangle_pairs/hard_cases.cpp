@@ -3,6 +3,7 @@
 #include <06_triangle_pairs/hard_common.hpp>
 #include <06_triangle_pairs/hard_pair_meshes.hpp>
 #include <06_triangle_pairs/hard_pairs.hpp>
+#include <06_triangle_pairs/hard_self_pairs.hpp>
 
 int main(int argc, char** argv) {
   hard_cases::Runner runner("06_triangle_pairs");
@@ -10,5 +11,6 @@ int main(int argc, char** argv) {
   hard_common::add_questions(runner);
   hard_boxes::add_questions(runner);
   hard_pair_meshes::add_questions(runner);
+  hard_self_pairs::add_questions(runner);
   return runner.run(argc, argv);
 }
