@@ -66,6 +66,58 @@ void add_product(Digits<k>& sum, const Digits<n>& x, const Digits<m>& y, Integer
   (std::make_index_sequence<n>{});
 }
 
+/// The exponent of a positive normal number as it is stored: the number is below 2 to this − 1022.
+inline int stored_exponent(double x) {
+  return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52);
+}
+/// 2 to an exponent from −1022 to 1023.
+inline double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+}
+
+/// Converts numbers to n digits of a unit.
+template <std::size_t n>
+class Scaling {
+ public:
+  /// @param stored the stored exponent of the largest number, of magnitude from 2^-900 to 2^900
+  explicit Scaling(int stored)
+      : to_high_(power_of_two(1022 + high_bits - stored)),
+        to_low_(power_of_two(low_bits)),
+        to_unit_(power_of_two(1022 + high_bits + low_bits - stored)) {}
+
+  /// The digits of value + error, where the error is at most half of the last bit of the largest
+  /// number; sets `whole` to false if they are no multiple of the unit.
+  ///
+  /// First the 56 highest bits are cut off, then the rest of the value. No step rounds but the
+  /// first, and that only what is below the smallest normal number, and so no multiple of the unit.
+  Digits<n> digits(double value, double error, bool& whole) const {
+    const double scaled = value * to_high_;
+    const auto high = static_cast<Integer>(scaled);
+    const double rest = (scaled - static_cast<double>(high)) * to_low_;
+    const double scaled_error = error * to_unit_;
+    const auto low = static_cast<Integer>(rest), of_error = static_cast<Integer>(scaled_error);
+    whole = whole & (static_cast<double>(low) == rest) &
+            (static_cast<double>(of_error) == scaled_error) & ((scaled == 0) == (value == 0)) &
+            ((of_error == 0) == (error == 0));
+    Digits<n> x;
+    Integer carried = low + of_error;
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+      x[i] = carried & ((Integer{1} << digit_bits) - 1);
+      carried >>= digit_bits;
+    }
+    carried += high;
+    x[n - 2] = carried & ((Integer{1} << digit_bits) - 1);
+    x[n - 1] = carried >> digit_bits;
+    return x;
+  }
+
+ private:
+  static_assert(n == 3 || n == 4, "the lower digits and an error are below 2^60");
+  static constexpr int high_bits = 2 * digit_bits;
+  static constexpr int low_bits = digit_bits * (static_cast<int>(n) - 2);
+  double to_high_, to_low_, to_unit_;
+};
+
 /// Some differences of doubles.
 template <std::size_t count>
 class Differences {
@@ -101,26 +153,16 @@ class Differences {
     return whole;
   }
 
-  /// Converts all, times a common power of two, to n digits; false if they need more. The digits
-  /// of the rounded differences are cut off one by one without error, and so are those of the
-  /// rounding errors. A digit is below 2^28 in magnitude: an error is less than the last bit of
-  /// its number.
+  /// Converts all, times a common power of two, to n digits; false if they need more. They must be
+  /// scalable.
   template <std::size_t n>
   bool as_digits(std::array<Digits<n>, count>& x) const {
-    constexpr double base = Integer{1} << digit_bits;
-    const double factor = scale(digit_bits);
+    const Scaling<n> scaling(stored_exponent());
+    bool whole = true;
     for (std::size_t i = 0; i < count; ++i) {
-      double value = value_[i] * factor, error = error_[i] * factor;
-      if ((value == 0 && value_[i] != 0) || (error == 0 && error_[i] != 0)) return false;
-      for (std::size_t k = n; k-- > 0;) {
-        const auto of_value = static_cast<Integer>(value), of_error = static_cast<Integer>(error);
-        x[i][k] = of_value + of_error;
-        value = (value - static_cast<double>(of_value)) * base;
-        error = (error - static_cast<double>(of_error)) * base;
-      }
-      if (value != 0 || error != 0) return false;
+      x[i] = scaling.digits(value_[i], error_[i], whole);
     }
-    return true;
+    return whole;
   }
 
  private:
@@ -128,13 +170,7 @@ class Differences {
   double largest_ = 0;
   bool rounded_ = false;
 
-  /// The exponent of the largest number as it is stored.
-  int stored_exponent() const {
-    return static_cast<int>(std::bit_cast<std::uint64_t>(largest_) >> 52);
-  }
-  static double power_of_two(int exponent) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
-  }
+  int stored_exponent() const { return difference_detail::stored_exponent(largest_); }
   /// The power of two by which the largest number is from 2^(bits − 1) to 2^bits.
   double scale(int bits) const { return power_of_two(1022 + bits - stored_exponent()); }
   /// Its inverse.
@@ -145,7 +181,7 @@ class Differences {
 template <std::size_t n>
 Digits<2 * n> area(const Digits<n>& p0, const Digits<n>& p1, const Digits<n>& q0,
                    const Digits<n>& q1) {
-  static_assert(n <= 5);
+  static_assert(n <= 4);
   Digits<2 * n> sum{};
   add_product(sum, p0, q1, 1);
   add_product(sum, p1, q0, -1);
@@ -179,21 +215,21 @@ std::optional<int> sign_in_digits(const Differences<4>& numbers) {
 }
 
 /// The sign of p × q, of the numbers p₀, p₁, q₀, q₁ in this order; nothing if they span more than
-/// 140 bits or are at the ends of the range of double.
+/// 112 bits or are at the ends of the range of double.
 ///
 /// Of integers below 2^55 the rounded value is off by less than 4 roundings of two products: 2^60.
 inline std::optional<int> determinant_sign(const Differences<4>& numbers) {
   if (numbers.zero()) return 0;
   if (!numbers.scalable()) return std::nullopt;
   std::array<Integer, 4> x;
-  if (!numbers.as_integers(55, x)) return sign_in_digits<5>(numbers);
+  if (!numbers.as_integers(55, x)) return sign_in_digits<4>(numbers);
   const auto real = [&x](std::size_t i) { return static_cast<double>(x[i]); };
   const auto whole = [&x](std::size_t i) { return static_cast<std::uint64_t>(x[i]); };
   return sign_from_residue(real(0) * real(3) - real(1) * real(2),
                            whole(0) * whole(3) - whole(1) * whole(2));
 }
 
-/// The sign of p · (q × r), of nine numbers in this order; nothing if they span more than 140 bits
+/// The sign of p · (q × r), of nine numbers in this order; nothing if they span more than 112 bits
 /// or are at the ends of the range of double.
 ///
 /// Of integers below 2^36 the rounded value is off by less than 9u times six products: 2^61.
@@ -203,7 +239,7 @@ inline std::optional<int> determinant_sign(const Differences<9>& numbers) {
   std::array<Integer, 9> x;
   if (numbers.rounded() || !numbers.as_integers(36, x)) {
     const std::optional<int> sign = sign_in_digits<3>(numbers);
-    return sign ? sign : sign_in_digits<5>(numbers);
+    return sign ? sign : sign_in_digits<4>(numbers);
   }
   double rounded = 0;
   std::uint64_t residue = 0;

@@ -106,8 +106,8 @@ inline Bounded bounded_orientation(const Vector2<double>& a, const Vector2<doubl
 /// input.
 ///
 /// The differences are exact as pairs of doubles, and these are scaled to integers, of which the
-/// determinant is computed without error. `Exact` decides about numbers that span more than 140
-/// bits and those at the ends of the range of double.
+/// determinant is computed without error. `Exact` decides about numbers that span more than 112
+/// bits bits and those at the ends of the range of double.
 [[gnu::noinline]] inline int orient_2d_in_doubt(const Vector2<double>& a, const Vector2<double>& b,
                                                 const Vector2<double>& c) {
   difference_detail::Differences<4> numbers;

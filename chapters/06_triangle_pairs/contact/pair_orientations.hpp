@@ -22,18 +22,13 @@ int sign_of(const S& x) {
   return x > S(0) ? 1 : (x < S(0) ? -1 : 0);
 }
 
-/// The vertices of a triangle in another order.
-template <class P>
+/// The vertices of a triangle in any order, as what the functors below take: pointers or indices.
+template <class V>
 struct Ordered {
-  const P* a;  ///< the first
-  const P* b;  ///< the second
-  const P* c;  ///< the third
+  V a;  ///< the first
+  V b;  ///< the second
+  V c;  ///< the third
 };
-/// In the order in which they are stored.
-template <Ring S>
-Ordered<Vector3<S>> as_stored(const Triangle<S>& t) {
-  return {&t.a, &t.b, &t.c};
-}
 
 /// On which side of a plane the three vertices of a triangle are: +1 in front, −1 behind, 0 on it.
 using Sides = std::array<int, 3>;
@@ -72,120 +67,113 @@ inline Apex apex(const Sides& s) {
 }
 
 /// The triangle with the vertex of that index first, in the same orientation.
-template <class P>
-Ordered<P> starting_at(int index, const Ordered<P>& t) {
+template <class V>
+Ordered<V> starting_at(int index, const Ordered<V>& t) {
   if (index == 0) return t;
-  return index == 1 ? Ordered<P>{t.b, t.c, t.a} : Ordered<P>{t.c, t.a, t.b};
+  return index == 1 ? Ordered<V>{t.b, t.c, t.a} : Ordered<V>{t.c, t.a, t.b};
 }
 
 // [intervals-overlap]
 /// Two triangles u and v whose planes meet in a line, each with vertices on both sides of the
 /// other's plane or on it: whether their intervals on the line overlap.
 ///
-/// The edges u.a u.b and u.a u.c end u's interval, v.a v.b and v.a v.c that of v, where u.a is in
-/// front of v and v.a in front of u. Then u's interval must not begin after that of v ends, nor end
-/// before it begins.
-/// @param volume the sign of `signed_volume` of four points
-template <class P, class Volume>
-bool intervals_overlap(const Ordered<P>& u, const Ordered<P>& v, const Volume& volume) {
-  return volume(*u.a, *u.b, *v.a, *v.b) <= 0 && volume(*u.a, *u.c, *v.c, *v.a) <= 0;
+/// The edges u.a u.b and u.a u.c end u's interval, v.a v.b and v.a v.c that of v. With u.a in front
+/// of v and v.a in front of u, both intervals run in one direction: u's must not begin after the
+/// end of v's, nor end before its begin.
+/// @param volume the sign of `signed_volume` of four vertices
+template <class V, class Volume>
+bool intervals_overlap(const Ordered<V>& u, const Ordered<V>& v, const Volume& volume) {
+  return volume(u.a, u.b, v.a, v.b) <= 0 && volume(u.a, u.c, v.c, v.a) <= 0;
 }
 // [/intervals-overlap]
 
 /// The same for vertices in any order.
-/// @param of_u, of_v the sides of u's vertices of v's plane, and of v's vertices of u's plane
-template <class P, class Volume>
-bool intervals_overlap(Ordered<P> u, Ordered<P> v, const Sides& of_u, const Sides& of_v,
+/// @param of_u the apex of u, seen from v's plane
+/// @param of_v the apex of v, seen from u's plane
+template <class V, class Volume>
+bool intervals_overlap(Ordered<V> u, Ordered<V> v, const Apex& of_u, const Apex& of_v,
                        const Volume& volume) {
-  const Apex of_first = apex(of_u), of_second = apex(of_v);
-  u = starting_at(of_first.index, u);
-  v = starting_at(of_second.index, v);
-  if (!of_first.front) std::swap(v.b, v.c);  // turns v, so that u.a is in front of it
-  if (!of_second.front) std::swap(u.b, u.c);
+  u = starting_at(of_u.index, u);
+  v = starting_at(of_v.index, v);
+  if (!of_u.front) std::swap(v.b, v.c);  // turns v, so that u.a is in front of it
+  if (!of_v.front) std::swap(u.b, u.c);
   return intervals_overlap(u, v, volume);
 }
 
 // [flat]
 /// u.a is beyond the edge from v.c to v.a alone: whether u meets v. Both are counter-clockwise.
-/// @param area the sign of `orientation` of three points
-template <class P, class Area>
-bool meet_beyond_edge(const Ordered<P>& u, const Ordered<P>& v, const Area& area) {
-  const auto &p = *u.a, &q = *u.b, &r = *u.c, &start = *v.c, &end = *v.a;
-  if (area(start, end, q) >= 0) {
-    if (area(p, end, q) >= 0) return area(p, q, start) >= 0;
-    return area(q, r, end) >= 0 && area(r, p, end) >= 0;
+/// @param area the sign of `orientation` of three vertices
+template <class V, class Area>
+bool meet_beyond_edge(const Ordered<V>& u, const Ordered<V>& v, const Area& area) {
+  if (area(v.c, v.a, u.b) >= 0) {
+    if (area(u.a, v.a, u.b) >= 0) return area(u.a, u.b, v.c) >= 0;
+    return area(u.b, u.c, v.a) >= 0 && area(u.c, u.a, v.a) >= 0;
   }
-  if (area(start, end, r) < 0 || area(p, end, r) < 0) return false;
-  return area(p, r, start) >= 0 || area(q, r, start) >= 0;
+  if (area(v.c, v.a, u.c) < 0 || area(u.a, v.a, u.c) < 0) return false;
+  return area(u.a, u.c, v.c) >= 0 || area(u.b, u.c, v.c) >= 0;
 }
 /// u.a is beyond both edges at v.c.
-template <class P, class Area>
-bool meet_beyond_vertex(const Ordered<P>& u, const Ordered<P>& v, const Area& area) {
-  const auto &p = *u.a, &q = *u.b, &r = *u.c;
-  if (area(*v.c, *v.a, q) >= 0) {
-    if (area(*v.c, *v.b, q) <= 0) {
-      if (area(p, *v.a, q) > 0) return area(p, *v.b, q) <= 0;
-      return area(p, *v.a, r) >= 0 && area(q, r, *v.a) >= 0;
+template <class V, class Area>
+bool meet_beyond_vertex(const Ordered<V>& u, const Ordered<V>& v, const Area& area) {
+  if (area(v.c, v.a, u.b) >= 0) {
+    if (area(v.c, v.b, u.b) <= 0) {
+      if (area(u.a, v.a, u.b) > 0) return area(u.a, v.b, u.b) <= 0;
+      return area(u.a, v.a, u.c) >= 0 && area(u.b, u.c, v.a) >= 0;
     }
-    return area(p, *v.b, q) <= 0 && area(*v.c, *v.b, r) <= 0 && area(q, r, *v.b) >= 0;
+    return area(u.a, v.b, u.b) <= 0 && area(v.c, v.b, u.c) <= 0 && area(u.b, u.c, v.b) >= 0;
   }
-  if (area(*v.c, *v.a, r) < 0) return false;
-  if (area(q, r, *v.c) >= 0) return area(p, *v.a, r) >= 0;
-  return area(q, r, *v.b) >= 0 && area(*v.c, r, *v.b) >= 0;
+  if (area(v.c, v.a, u.c) < 0) return false;
+  if (area(u.b, u.c, v.c) >= 0) return area(u.a, v.a, u.c) >= 0;
+  return area(u.b, u.c, v.b) >= 0 && area(v.c, u.c, v.b) >= 0;
 }
-/// Whether two counter-clockwise triangles of the plane meet. The edges of v divide the plane into
-/// seven regions: the one in which u.a is determines which tests decide.
-template <class P, class Area>
-bool meet_in_plane(const Ordered<P>& u, const Ordered<P>& v, const Area& area) {
-  const bool ab = area(*v.a, *v.b, *u.a) >= 0;
-  const bool bc = area(*v.b, *v.c, *u.a) >= 0;
-  const bool ca = area(*v.c, *v.a, *u.a) >= 0;
-  const Ordered<P> from_b{v.b, v.c, v.a}, from_c{v.c, v.a, v.b};
+/// Whether two counter-clockwise triangles of the plane meet. The lines along the edges of v divide
+/// the plane into seven regions: the one in which u.a is determines which tests decide.
+template <class V, class Area>
+bool meet_in_plane(const Ordered<V>& u, const Ordered<V>& v, const Area& area) {
+  const bool ab = area(v.a, v.b, u.a) >= 0;
+  const bool bc = area(v.b, v.c, u.a) >= 0;
+  const bool ca = area(v.c, v.a, u.a) >= 0;
+  const Ordered<V> from_b{v.b, v.c, v.a}, from_c{v.c, v.a, v.b};
   if (ab && bc) return ca || meet_beyond_edge(u, v, area);
   if (ab) return ca ? meet_beyond_edge(u, from_c, area) : meet_beyond_vertex(u, v, area);
   if (!bc) return meet_beyond_vertex(u, from_c, area);
   return ca ? meet_beyond_edge(u, from_b, area) : meet_beyond_vertex(u, from_b, area);
 }
+/// The vertices counter-clockwise.
+/// @param orientation theirs: +1 or −1
+template <class V>
+Ordered<V> counter_clockwise(const Ordered<V>& t, int orientation) {
+  return orientation < 0 ? Ordered<V>{t.a, t.c, t.b} : t;
+}
 // [/flat]
 
-/// Three points of the plane.
+/// The normal (b − a) × (c − a) of a triangle.
 template <Ring S>
-using Flat = std::array<Vector2<S>, 3>;
-
-/// A triangle without coordinate k.
-template <Ring S>
-Flat<S> flattened(const Triangle<S>& t, int k) {
-  return {drop_dimension<S>(t.a, k), drop_dimension<S>(t.b, k), drop_dimension<S>(t.c, k)};
+Vector3<S> normal_of(const Triangle<S>& t) {
+  const Vector3<S> ab = t.b - t.a, ac = t.c - t.a;
+  return ab.cross(ac);
 }
-/// Its vertices counter-clockwise.
-/// @param orientation their orientation, +1 or −1
+/// n · (v − a): the volume with a plane through a, to which n is normal.
 template <Ring S>
-Ordered<Vector2<S>> counter_clockwise(const Flat<S>& t, int orientation) {
-  if (orientation < 0) return {&t[0], &t[2], &t[1]};
-  return {&t[0], &t[1], &t[2]};
-}
-
-/// On which sides of the plane of a triangle the vertices of another are, rounded.
-/// @param normal (b − a) × (c − a) of the triangle
-template <Ring S>
-Sides rounded_sides(const Vector3<S>& normal, const Vector3<S>& on_plane, const Triangle<S>& of) {
-  const auto side = [&](const Vector3<S>& v) {
-    const Vector3<S> away = v - on_plane;
-    return sign_of<S>(away.dot(normal));
-  };
-  return {side(of.a), side(of.b), side(of.c)};
+S height(const Vector3<S>& n, const Vector3<S>& a, const Vector3<S>& v) {
+  const Vector3<S> away = v - a;
+  return away.dot(n);
 }
 
 /// Two triangles in one plane, rounded.
 template <Ring S>
 bool coplanar_meet(const Triangle<S>& first, const Triangle<S>& second, const Vector3<S>& normal) {
-  const auto area = [](const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& c) {
-    return sign_of<S>(orientation<S>(a, b, c));
+  const auto area = [](const Vector2<S>* a, const Vector2<S>* b, const Vector2<S>* c) {
+    return sign_of<S>(orientation<S>(*a, *b, *c));
   };
   const int k = largest_dimension<S>(normal);
-  const Flat<S> u = flattened<S>(first, k), v = flattened<S>(second, k);
-  return meet_in_plane(counter_clockwise<S>(u, area(u[0], u[1], u[2])),
-                       counter_clockwise<S>(v, area(v[0], v[1], v[2])), area);
+  const auto flat = [k](const Vector3<S>& v) { return drop_dimension<S>(v, k); };
+  const std::array<Vector2<S>, 6> points{flat(first.a),  flat(first.b),  flat(first.c),
+                                         flat(second.a), flat(second.b), flat(second.c)};
+  const Ordered<const Vector2<S>*> u{&points[0], &points[1], &points[2]};
+  const Ordered<const Vector2<S>*> v{&points[3], &points[4], &points[5]};
+  return meet_in_plane(counter_clockwise(u, area(u.a, u.b, u.c)),
+                       counter_clockwise(v, area(v.a, v.b, v.c)), area);
 }
 
 }  // namespace pair_orientations_detail
@@ -209,22 +197,28 @@ bool coplanar_meet(const Triangle<S>& first, const Triangle<S>& second, const Ve
 template <Ring S>
 bool meet_by_orientations(const Triangle<S>& first, const Triangle<S>& second) {
   using namespace pair_orientations_detail;
-  const Vector3<S> ab = second.b - second.a, ac = second.c - second.a;
-  const Vector3<S> normal = ab.cross(ac);
-  const Sides of_first = rounded_sides<S>(normal, second.a, first);
-  if (on_one_side(of_first)) return false;
+  const auto on_one_side = [](const S& a, const S& b, const S& c) {
+    return (a > S(0) && b > S(0) && c > S(0)) || (a < S(0) && b < S(0) && c < S(0));
+  };
+  const Vector3<S> n = normal_of<S>(second);
+  const S ua = height<S>(n, second.a, first.a);
+  const S ub = height<S>(n, second.a, first.b);
+  const S uc = height<S>(n, second.a, first.c);
+  if (on_one_side(ua, ub, uc)) return false;
+  const Vector3<S> m = normal_of<S>(first);
+  const S va = height<S>(m, first.a, second.a);
+  const S vb = height<S>(m, first.a, second.b);
+  const S vc = height<S>(m, first.a, second.c);
+  if (on_one_side(va, vb, vc)) return false;
 
-  const Vector3<S> de = first.b - first.a, df = first.c - first.a;
-  const Vector3<S> normal_of_first = de.cross(df);
-  const Sides of_second = rounded_sides<S>(normal_of_first, first.a, second);
-  if (on_one_side(of_second)) return false;
-
-  if (on_the_plane(of_first) || on_the_plane(of_second)) {
-    return coplanar_meet<S>(first, second, normal);
-  }
-  return intervals_overlap(as_stored(first), as_stored(second), of_first, of_second,
-                           [](const auto& a, const auto& b, const auto& c, const auto& d) {
-                             return sign_of<S>(signed_volume<S>(a, b, c, d));
+  const Sides of_first{sign_of<S>(ua), sign_of<S>(ub), sign_of<S>(uc)};
+  const Sides of_second{sign_of<S>(va), sign_of<S>(vb), sign_of<S>(vc)};
+  if (on_the_plane(of_first) || on_the_plane(of_second)) return coplanar_meet<S>(first, second, n);
+  using Vertex = const Vector3<S>*;
+  return intervals_overlap(Ordered<Vertex>{&first.a, &first.b, &first.c},
+                           Ordered<Vertex>{&second.a, &second.b, &second.c}, apex(of_first),
+                           apex(of_second), [](Vertex a, Vertex b, Vertex c, Vertex d) {
+                             return sign_of<S>(signed_volume<S>(*a, *b, *c, *d));
                            });
 }
 // [/meet-by-orientations]

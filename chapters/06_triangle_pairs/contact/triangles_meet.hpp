@@ -4,11 +4,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <contact/exact_ray_triangle.hpp>
-#include <contact/orientation.hpp>
+#include <contact/pair_decision.hpp>
 #include <contact/pair_orientations.hpp>
-#include <contact/segments.hpp>
+#include <contact/pair_signs.hpp>
 #include <contact/shapes.hpp>
 #include <contact/vector.hpp>
 
@@ -16,185 +16,122 @@ namespace contact {
 
 namespace triangles_meet_detail {
 
-using pair_orientations_detail::as_stored;
-using pair_orientations_detail::Flat;
-using pair_orientations_detail::Sides;
-using Point = Vector3<double>;
-using FlatPoint = Vector2<double>;
+using pair_decision_detail::Decision;
+using pair_decision_detail::Vertices;
 
-/// Signs by exact arithmetic alone.
-struct Exactly {
-  int volume(const Point& a, const Point& b, const Point& c, const Point& d) const {
-    return orient_3d_exactly(a, b, c, d);
-  }
-  int area(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) const {
-    return orient_2d_exactly(a, b, c);
-  }
-};
-/// Signs by a filter, and exact arithmetic where it is not certain.
-struct Filtered {
-  int volume(const Point& a, const Point& b, const Point& c, const Point& d) const {
-    return orient_3d(a, b, c, d);
-  }
-  int area(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) const {
-    return orient_2d(a, b, c);
-  }
-};
-
-/// The decision, with signs that are never wrong.
-template <class Signs>
-class Decision {
- public:
-  Decision(const Triangle<double>& first, const Triangle<double>& second)
-      : first_(first), second_(second) {}
-
-  // [decide]
-  /// If the vertices of neither triangle are all on the plane of the other, both have area: a
-  /// triangle without it has a volume of 0 with every point. Then the planes cross in a line, and
-  /// the intervals on it decide.
-  bool meet() const {
-    using namespace pair_orientations_detail;
-    const Sides of_first = sides(second_, first_);
-    if (on_one_side(of_first)) return false;
-    if (on_the_plane(of_first)) return meet_flat();
-    const Sides of_second = sides(first_, second_);
-    if (on_one_side(of_second)) return false;
-    if (on_the_plane(of_second)) return meet_flat();
-    return intervals_overlap(as_stored(first_), as_stored(second_), of_first, of_second, volume());
-  }
-  // [/decide]
-
- private:
-  const Triangle<double>& first_;
-  const Triangle<double>& second_;
-  Signs signs_;
-
-  auto volume() const {
-    return [this](const Point& a, const Point& b, const Point& c, const Point& d) {
-      return signs_.volume(a, b, c, d);
-    };
-  }
-  auto area() const {
-    return [this](const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
-      return signs_.area(a, b, c);
-    };
-  }
-  Sides sides(const Triangle<double>& plane, const Triangle<double>& of) const {
-    const auto side = [&](const Point& v) { return signs_.volume(plane.a, plane.b, plane.c, v); };
-    return {side(of.a), side(of.b), side(of.c)};
-  }
-
-  /// A projection in which the triangle has area, the one with the largest area first; {0, 0} if it
-  /// has none.
-  FlatView view(const Triangle<double>& t) const {
-    const Point ab = t.b - t.a, ac = t.c - t.a;
-    const int largest = largest_dimension<double>(ab.cross(ac));
-    for (int i = 0; i < 3; ++i) {
-      const int k = (largest + i) % 3;
-      const Flat<double> flat = pair_orientations_detail::flattened<double>(t, k);
-      const int orientation = signs_.area(flat[0], flat[1], flat[2]);
-      if (orientation != 0) return {k, orientation};
-    }
-    return {};
-  }
-
-  // [flat]
-  /// Both triangles are in one plane, or at least one of them has no area.
-  bool meet_flat() const {
-    const FlatView of_first = view(first_), of_second = view(second_);
-    if (of_first.orientation != 0 && of_second.orientation != 0) {
-      return meet_coplanar(of_first.dropped);
-    }
-    if (of_first.orientation != 0) return segment_meets(as_segment(second_), first_, of_first);
-    if (of_second.orientation != 0) return segment_meets(as_segment(first_), second_, of_second);
-    return segments_meet(as_segment(first_), as_segment(second_));
-  }
-  // [/flat]
-
-  bool meet_coplanar(int dropped) const {
-    using namespace pair_orientations_detail;
-    const Flat<double> u = flattened<double>(first_, dropped);
-    const Flat<double> v = flattened<double>(second_, dropped);
-    return meet_in_plane(counter_clockwise<double>(u, signs_.area(u[0], u[1], u[2])),
-                         counter_clockwise<double>(v, signs_.area(v[0], v[1], v[2])), area());
-  }
-
-  /// The segment or the point that a triangle without area is: on a line, the first and the last
-  /// of three points by their coordinates are the ends.
-  static Segment<double> as_segment(const Triangle<double>& t) {
-    const auto before = [](const Point& p, const Point& q) {
-      return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-    };
-    const auto [low, high] = std::minmax({t.a, t.b, t.c}, before);
-    return {low, high};
-  }
-
-  /// A segment or a point, and a triangle with area.
-  bool segment_meets(const Segment<double>& s, const Triangle<double>& t,
-                     const FlatView& view) const {
-    const int at_start = signs_.volume(t.a, t.b, t.c, s.start);
-    const int at_end = signs_.volume(t.a, t.b, t.c, s.end);
-    if (at_start * at_end > 0) return false;
-    if (at_start == 0 && at_end == 0) return flat_segment_meets(s, t, view);
-    const int ab = signs_.volume(s.start, s.end, t.a, t.b);
-    const int bc = signs_.volume(s.start, s.end, t.b, t.c);
-    const int ca = signs_.volume(s.start, s.end, t.c, t.a);
-    return ab * bc >= 0 && bc * ca >= 0 && ca * ab >= 0;
-  }
-
-  /// The same in the plane of the triangle. They are apart if a line along one of their edges
-  /// separates them; a point has no such line.
-  bool flat_segment_meets(const Segment<double>& s, const Triangle<double>& t,
-                          const FlatView& view) const {
-    const FlatPoint start = drop_dimension<double>(s.start, view.dropped);
-    const FlatPoint end = drop_dimension<double>(s.end, view.dropped);
-    const Flat<double> flat = pair_orientations_detail::flattened<double>(t, view.dropped);
-    Sides sides{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const FlatPoint &a = flat[i], &b = flat[(i + 1) % 3];
-      if (signs_.area(a, b, start) * view.orientation < 0 &&
-          signs_.area(a, b, end) * view.orientation < 0) {
-        return false;
-      }
-      sides[i] = signs_.area(start, end, a);
-    }
-    return !pair_orientations_detail::on_one_side(sides);
-  }
-
-  /// Two segments, of which any may be a point. If they are in one plane but not on one line, one
-  /// of four triangles has area, and its projection decides. On one line the boxes decide.
-  bool segments_meet(const Segment<double>& s, const Segment<double>& t) const {
-    if (signs_.volume(s.start, s.end, t.start, t.end) != 0) return false;
-    for (const Triangle<double>& plane :
-         {Triangle<double>{s.start, s.end, t.start}, Triangle<double>{s.start, s.end, t.end},
-          Triangle<double>{t.start, t.end, s.start}}) {
-      const FlatView seen = view(plane);
-      if (seen.orientation == 0) continue;
-      const auto flat = [k = seen.dropped](const Segment<double>& u) {
-        return Segment2<double>{drop_dimension<double>(u.start, k),
-                                drop_dimension<double>(u.end, k)};
-      };
-      return segments_detail::meet_by(flat(s), flat(t), area()) != Meeting::none;
-    }
-    for (int k = 0; k < 3; ++k) {
-      if (std::max(s.start[k], s.end[k]) < std::min(t.start[k], t.end[k])) return false;
-      if (std::max(t.start[k], t.end[k]) < std::min(s.start[k], s.end[k])) return false;
-    }
-    return true;
-  }
-};
-
-/// Whether all coordinates are finite.
-inline bool is_finite_triangle(const Triangle<double>& t) {
-  return all_finite(t.a) && all_finite(t.b) && all_finite(t.c);
+/// All six vertices: those of the first triangle, then those of the second.
+inline Vertices six_vertices(const Triangle<double>& first, const Triangle<double>& second) {
+  return {first.a, first.b, first.c, second.a, second.b, second.c};
 }
+
+/// The decision where the filter of `triangles_meet` was in doubt.
+///
+/// A vertex in common is a common point, so it needs no sign. Otherwise all signs are computed in
+/// integers, if all coordinates are whole multiples of one unit and not too many of it. If not,
+/// each sign has its own filter and its own exact arithmetic.
+[[gnu::noinline]] inline bool meet_in_doubt(const Triangle<double>& first,
+                                            const Triangle<double>& second) {
+  using namespace pair_signs_detail;
+  const Vertices vertices = six_vertices(first, second);
+  for (const Vector3<double>& v : vertices) {
+    if (!all_finite(v)) return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 3; j < 6; ++j) {
+      if (vertices[i] == vertices[j]) return true;
+    }
+  }
+  if (const auto whole = Whole::of(vertices)) return Decision(vertices, *whole).meet();
+  return Decision(vertices, Filtered{vertices}).meet();
+}
+
+/// The smallest and the largest of three numbers.
+struct Range {
+  double low, high;
+};
+inline Range range(double a, double b, double c) {
+  return {std::min(std::min(a, b), c), std::max(std::max(a, b), c)};
+}
+
+/// The apex of a triangle of which no vertex is on the plane: of numbers that are not 0, and not
+/// all of one sign.
+inline pair_orientations_detail::Apex certain_apex(double a, double b, double c) {
+  using pair_orientations_detail::Apex;
+  static constexpr std::array<Apex, 8> table{Apex{0, true}, {0, true},  {1, true},  {2, false},
+                                             {2, true},     {1, false}, {0, false}, {0, true}};
+  const auto bit = [](double x, int i) { return static_cast<std::size_t>(x > 0) << i; };
+  return table[bit(a, 0) | bit(b, 1) | bit(c, 2)];
+}
+
+// [filter]
+/// The decision in double, with one bound for all signs of a pair, or the exact one.
+///
+/// The bound: all determinants are of differences of vertices, of which none is larger than the
+/// common box, whose sides are x, y and z. Each of the six terms of a determinant has one factor
+/// along each axis, so all are at most xyz, and as for `bounded_volume` the error is at most γ₈
+/// times their sum: 6·8u xyz. The computed sides and their product are at most 5 roundings smaller:
+/// 50u covers 48u (1 + 14u) and the rounding of the product. The rest is for underflow, as there.
+inline bool meet_filtered(const Triangle<double>& t, const Triangle<double>& u) {
+  using pair_orientations_detail::Ordered;
+  const Range tx = range(t.a.x(), t.b.x(), t.c.x()), ux = range(u.a.x(), u.b.x(), u.c.x());
+  const Range ty = range(t.a.y(), t.b.y(), t.c.y()), uy = range(u.a.y(), u.b.y(), u.c.y());
+  const Range tz = range(t.a.z(), t.b.z(), t.c.z()), uz = range(u.a.z(), u.b.z(), u.c.z());
+  const auto apart = [](const Range& r, const Range& s) {
+    return (r.high < s.low) | (s.high < r.low);
+  };
+  if (apart(tx, ux) | apart(ty, uy) | apart(tz, uz)) return false;
+
+  const auto side = [](const Range& r, const Range& s) {
+    return std::max(r.high, s.high) - std::min(r.low, s.low);
+  };
+  const double x = side(tx, ux), y = side(ty, uy), z = side(tz, uz);
+  constexpr double fifty_u = 25 * std::numeric_limits<double>::epsilon();
+  const double bound = fifty_u * (x * y * z) + 0x1p-1000 * (1 + x + y + z);
+
+  const auto one_side = [bound](double a, double b, double c) {
+    const Range heights = range(a, b, c);
+    return (heights.low > bound) | (heights.high < -bound);
+  };
+  const auto smallest = [](double a, double b, double c) {
+    return std::min(std::min(std::abs(a), std::abs(b)), std::abs(c));
+  };
+  const auto normal_of = [](const Triangle<double>& s) {
+    const Vector3<double> ab = s.b - s.a, ac = s.c - s.a;
+    return Vector3<double>(ab.cross(ac));
+  };
+  const auto height = [](const Vector3<double>& n, const Vector3<double>& a,
+                         const Vector3<double>& v) {
+    const Vector3<double> away = v - a;
+    return away.dot(n);
+  };
+  const Vector3<double> nu = normal_of(u);
+  const double ta = height(nu, u.a, t.a), tb = height(nu, u.a, t.b), tc = height(nu, u.a, t.c);
+  if (one_side(ta, tb, tc)) return false;
+  const Vector3<double> nt = normal_of(t);
+  const double ua = height(nt, t.a, u.a), ub = height(nt, t.a, u.b), uc = height(nt, t.a, u.c);
+  if (one_side(ua, ub, uc)) return false;
+  if (!(smallest(ta, tb, tc) > bound) | !(smallest(ua, ub, uc) > bound)) return meet_in_doubt(t, u);
+
+  using Vertex = const Vector3<double>*;
+  bool doubt = false;
+  const bool meet =
+      intervals_overlap(Ordered<Vertex>{&t.a, &t.b, &t.c}, Ordered<Vertex>{&u.a, &u.b, &u.c},
+                        certain_apex(ta, tb, tc), certain_apex(ua, ub, uc),
+                        [bound, &doubt](Vertex a, Vertex b, Vertex c, Vertex d) {
+                          const double volume = signed_volume<double>(*a, *b, *c, *d);
+                          doubt = doubt || !(std::abs(volume) > bound);
+                          return volume > 0 ? 1 : -1;
+                        });
+  return doubt ? meet_in_doubt(t, u) : meet;
+}
+// [/filter]
 
 }  // namespace triangles_meet_detail
 
 // [triangles-meet]
 /// Whether two triangles have a point in common: the book's choice.
 ///
-/// The answer is right for every finite input: a floating-point filter decides most signs, and
+/// The answer is right for every finite input: a floating-point filter decides most pairs, and
 /// exact arithmetic the rest. Touching counts. A triangle without area is the segment or the point
 /// that its vertices span. A coordinate that is not finite: false.
 /// @param first m, any scale
@@ -204,20 +141,22 @@ inline bool is_finite_triangle(const Triangle<double>& t) {
 /// Predicates, Journal of Graphics Tools 8 (2003).
 template <FloatOrDouble S>
 bool triangles_meet(const Triangle<S>& first, const Triangle<S>& second) {
-  using namespace triangles_meet_detail;
-  const Triangle<double> a = in_double(first), b = in_double(second);
-  if (!is_finite_triangle(a) || !is_finite_triangle(b)) return false;
-  return Decision<Filtered>(a, b).meet();
+  if constexpr (std::same_as<S, float>) {
+    return triangles_meet_detail::meet_filtered(in_double(first), in_double(second));
+  } else {
+    return triangles_meet_detail::meet_filtered(first, second);
+  }
 }
 // [/triangles-meet]
 
 /// The same decision, every sign in exact arithmetic: slow. It shows what the filter saves.
 template <FloatOrDouble S>
 bool triangles_meet_unfiltered(const Triangle<S>& first, const Triangle<S>& second) {
-  using namespace triangles_meet_detail;
-  const Triangle<double> a = in_double(first), b = in_double(second);
-  if (!is_finite_triangle(a) || !is_finite_triangle(b)) return false;
-  return Decision<Exactly>(a, b).meet();
+  const auto vertices = triangles_meet_detail::six_vertices(in_double(first), in_double(second));
+  for (const Vector3<double>& v : vertices) {
+    if (!all_finite(v)) return false;
+  }
+  return pair_decision_detail::Decision(vertices, pair_signs_detail::Exactly{vertices}).meet();
 }
 
 }  // namespace contact

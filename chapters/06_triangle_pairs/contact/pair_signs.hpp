@@ -1,0 +1,158 @@
+/// @file
+/// Signs of volumes and areas of the six vertices of two triangles, without error: in integers, by
+/// a filter for each sign, or by exact arithmetic alone.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <contact/difference_determinant.hpp>
+#include <contact/drop_dimension.hpp>
+#include <contact/orientation.hpp>
+#include <contact/vector.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace contact {
+
+namespace pair_decision_detail {
+
+/// The vertices of the first triangle, then those of the second.
+using Vertices = std::array<Vector3<double>, 6>;
+/// The number of a vertex, 0 to 5.
+using Vertex = std::size_t;
+
+}  // namespace pair_decision_detail
+
+namespace pair_signs_detail {
+
+using pair_decision_detail::Vertex;
+using pair_decision_detail::Vertices;
+
+/// The plane of three vertices, to which points are compared one by one.
+struct PlaneOf {
+  Vertex a, b, c;
+};
+
+/// Signs by exact arithmetic alone.
+struct Exactly {
+  const Vertices& at;
+  PlaneOf plane(Vertex a, Vertex b, Vertex c) const { return {a, b, c}; }
+  int side(const PlaneOf& p, Vertex v) const {
+    return orient_3d_exactly(at[p.a], at[p.b], at[p.c], at[v]);
+  }
+  /// In the projection without coordinate k.
+  int area(int k, Vertex a, Vertex b, Vertex c) const {
+    const auto flat = [this, k](Vertex v) { return drop_dimension<double>(at[v], k); };
+    return orient_2d_exactly(flat(a), flat(b), flat(c));
+  }
+};
+
+/// Signs by a filter for each, and exact arithmetic where it is not certain.
+struct Filtered {
+  const Vertices& at;
+  PlaneOf plane(Vertex a, Vertex b, Vertex c) const { return {a, b, c}; }
+  int side(const PlaneOf& p, Vertex v) const { return orient_3d(at[p.a], at[p.b], at[p.c], at[v]); }
+  int area(int k, Vertex a, Vertex b, Vertex c) const {
+    const auto flat = [this, k](Vertex v) { return drop_dimension<double>(at[v], k); };
+    return orient_2d(flat(a), flat(b), flat(c));
+  }
+};
+
+/// Signs of vertices whose coordinates are whole multiples of a unit, with differences below 2^36
+/// of it: floats of similar size, points of a grid.
+///
+/// Each determinant is computed twice: rounded in double, and modulo 2^64 in integers. The two
+/// together have its sign (see `sign_from_residue`).
+class Whole {
+ public:
+  /// The vertices in whole numbers, if they are.
+  static std::optional<Whole> of(const Vertices& vertices) {
+    Vector3<double> low = vertices[0], high = low;
+    for (const Vector3<double>& v : vertices) {
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+    }
+    const Vector3<double> extents = high - low;
+    const double longest = extents.maxCoeff();
+    const double largest = std::max(high.cwiseAbs().maxCoeff(), low.cwiseAbs().maxCoeff());
+    if (!(largest < 0x1p900 && longest > 0x1p-900)) return std::nullopt;
+    // The longest side is less than 2^36 units, and the largest coordinate less than 2^62.
+    const int exponent = std::max(exponent_above(longest) - 36, exponent_above(largest) - 62);
+    const double unit = power_of_two(exponent), per_unit = power_of_two(-exponent);
+    Whole made;
+    bool whole = true;
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const double x = vertices[i][k];
+        const auto multiple = static_cast<std::int64_t>(x * per_unit);
+        made.at_[i][static_cast<std::size_t>(k)] = multiple;
+        whole = whole && static_cast<double>(multiple) * unit == x;
+      }
+    }
+    if (!whole) return std::nullopt;
+    return made;
+  }
+
+  /// A point of a plane, and a normal (b − a) × (c − a) of it, rounded and modulo 2^64.
+  struct Plane {
+    Vertex a;
+    std::array<double, 3> rounded;
+    std::array<std::uint64_t, 3> residue;
+  };
+  Plane plane(Vertex a, Vertex b, Vertex c) const {
+    Plane made{a, {}, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const Minor minor = minor_of(a, b, c, j, k);
+      made.rounded[i] = minor.rounded;
+      made.residue[i] = minor.residue;
+    }
+    return made;
+  }
+  int side(const Plane& p, Vertex v) const {
+    double rounded = 0;
+    std::uint64_t residue = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t away = at_[v][i] - at_[p.a][i];
+      rounded += static_cast<double>(away) * p.rounded[i];
+      residue += static_cast<std::uint64_t>(away) * p.residue[i];
+    }
+    return difference_detail::sign_from_residue(rounded, residue);
+  }
+  int area(int dropped, Vertex a, Vertex b, Vertex c) const {
+    const auto k = static_cast<std::size_t>(dropped);
+    const Minor minor = minor_of(a, b, c, (k + 1) % 3, (k + 2) % 3);
+    return difference_detail::sign_from_residue(minor.rounded, minor.residue);
+  }
+
+ private:
+  std::array<std::array<std::int64_t, 3>, 6> at_;
+
+  struct Minor {
+    double rounded;
+    std::uint64_t residue;
+  };
+  Minor minor_of(Vertex a, Vertex b, Vertex c, std::size_t j, std::size_t k) const {
+    const std::int64_t bj = at_[b][j] - at_[a][j], bk = at_[b][k] - at_[a][k];
+    const std::int64_t cj = at_[c][j] - at_[a][j], ck = at_[c][k] - at_[a][k];
+    const auto real = [](std::int64_t x) { return static_cast<double>(x); };
+    const auto modulo = [](std::int64_t x) { return static_cast<std::uint64_t>(x); };
+    return {real(bj) * real(ck) - real(bk) * real(cj),
+            modulo(bj) * modulo(ck) - modulo(bk) * modulo(cj)};
+  }
+
+  /// A power of two above x is 2 to this.
+  static int exponent_above(double x) {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1022;
+  }
+  static double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+  }
+};
+
+}  // namespace pair_signs_detail
+
+}  // namespace contact
