@@ -275,6 +275,7 @@ TEST_CASE("edges meet in a plane parallel to an axis") {
 TEST_CASE("an end on the other edge touches it") {
   in_every_order(check_meeting, {{0, 0, 0}, {8, 0, 4}}, {{4, 0, 2}, {4, 5, 7}});
   in_every_order(check_meeting, {{0, 0, 0}, {8, 0, 4}}, {{8, 0, 4}, {4, 5, 7}});
+  in_every_order(check_meeting, {{0, 0, 0}, {1, 0, 0}}, {{1, 1, 0}, {1, 0, 0}});
   in_every_order(check_meeting, kLong, {{3, 4, 7}, {3, 9, 2}});
   in_every_order(check_meeting, kLong, {{9, 10, 18}, {3, 9, 2}});
 }
@@ -288,6 +289,7 @@ TEST_CASE("parallel edges meet if they are on one line and touch or overlap") {
   in_every_order(check_meeting, edge, {{-1, -1, 2}, {7, 11, 6}});
   in_every_order(check_meeting, edge, {{5, 8, 5}, {7, 11, 6}});
   in_every_order(check_meeting, edge, edge);
+  in_every_order(check_meeting, {{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}, {1, 1, 0}});
   in_every_order(check_meeting, {{0, 0, 0}, {3, 0, 0}}, {{5, 0, 0}, {7, 0, 0}});
   in_every_order(check_meeting, {{0, 0, 0}, {0, 3, 0}}, {{0, 4, 0}, {0, 7, 0}});
 }
@@ -314,6 +316,7 @@ TEST_CASE("two edges touch in a point, with a normal from B to A") {
   check_contact({{2, -1, 0}, {2, 7, 0}}, {{0, 0, 0}, {8, 0, 0}}, {9, 3, -5});
   check_contact({{2, -1, 6}, {2, 7, 6}}, {{0, 0, 6}, {8, 0, 6}}, {9, 3, 2});
   check_contact_in_every_order(kLong, kShort, {5, 5, 0});
+  check_contact_in_every_order({{0, 0, 0}, {1, 0, 0}}, {{1, 1, 0}, {1, 0, 0}}, {2, 3, -1});
   check_contact_in_every_order({{0, 0, 0}, {7, 3, 1}}, {{5, 0, 0}, {1, 3, 1}}, {2, 2, 5});
   check_contact_in_every_order({{0, 0, 0}, {8, 0, 4}}, {{4, 0, 2}, {4, 5, 7}}, {3, 1, -1});
 }

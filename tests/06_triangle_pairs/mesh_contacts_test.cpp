@@ -322,6 +322,8 @@ TEST_CASE("the smallest feature that contains a point is named") {
   check_feature(mesh, {-8, 0, 0});
   check_feature(mesh, {1, 2, 3});
   check_feature(mesh, {10, 1, -3});
+  // Half a metre from an edge.
+  check_feature(body({0, 0, 0}, {2, 1, 0}, {2, -3, 0}, {1, 0, -5}), {1, 0, 0});
   for (const Point& p : {Point(2, 2, 4), Point(4, 4, 0), Point(0, 8, 0)})
     check_feature(mixed(mesh), p);
 }
