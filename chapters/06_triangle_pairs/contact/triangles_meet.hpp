@@ -70,7 +70,10 @@ inline pair_orientations_detail::Apex certain_apex(double a, double b, double c)
 /// common box, whose sides are x, y and z. Each of the six terms of a determinant has one factor
 /// along each axis, so all are at most xyz, and as for `bounded_volume` the error is at most γ₈
 /// times their sum: 6·8u xyz. The computed sides and their product are at most 5 roundings smaller:
-/// 50u covers 48u (1 + 14u) and the rounding of the product. The rest is for underflow, as there.
+/// 50u covers 48u (1 + 14u) and the rounding of the product. With sides below 2^300 nothing
+/// overflows, and underflow adds at most half of 2^-1074 to each of nine products, of which six are
+/// then multiplied by a side: far less than 2^-700. A NaN leaves a sign uncertain: that of every
+/// height over a plane through its vertex.
 inline bool meet_filtered(const Triangle<double>& t, const Triangle<double>& u) {
   using pair_orientations_detail::Ordered;
   const Range tx = range(t.a.x(), t.b.x(), t.c.x()), ux = range(u.a.x(), u.b.x(), u.c.x());
@@ -85,8 +88,9 @@ inline bool meet_filtered(const Triangle<double>& t, const Triangle<double>& u) 
     return std::max(r.high, s.high) - std::min(r.low, s.low);
   };
   const double x = side(tx, ux), y = side(ty, uy), z = side(tz, uz);
+  if (!(x + y + z < 0x1p300)) return meet_in_doubt(t, u);
   constexpr double fifty_u = 25 * std::numeric_limits<double>::epsilon();
-  const double bound = fifty_u * (x * y * z) + 0x1p-1000 * (1 + x + y + z);
+  const double bound = fifty_u * (x * y * z) + 0x1p-700;
 
   const auto one_side = [bound](double a, double b, double c) {
     const Range heights = range(a, b, c);
