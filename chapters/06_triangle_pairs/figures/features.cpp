@@ -5,8 +5,8 @@
 #include <cmath>
 #include <contact/feature_contacts.hpp>
 #include <contact/figure.hpp>
+#include <contact/mesh.hpp>
 #include <contact/mesh_features.hpp>
-#include <contact/mesh_shapes.hpp>
 #include <contact/sine_cosine.hpp>
 #include <cstddef>
 #include <vector>
@@ -66,19 +66,33 @@ std::array<Vector, 4> tetrahedron(double pose) {
 const std::vector<std::array<int, 3>> faces_of_tetrahedron{
     {0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
 
-/// Its highest point is at most at z = 0.25.
+/// Its highest point is at most at z = 0.25. Written out, because contact/mesh_shapes.hpp would
+/// double what the page loads.
 Mesh body_at_rest(double number) {
   if (number == 1) {
-    contact::CoordinateFrame<double> lying;
-    lying.axes << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-    return contact::transformed(
-        contact::prism_mesh({{-0.875, -0.75}, {0.875, -0.75}, {0, 0.25}}, -1, 1), lying);
+    return {
+        {{-0.875, -1, -0.75},
+         {0.875, -1, -0.75},
+         {0.875, 1, -0.75},
+         {-0.875, 1, -0.75},
+         {0, -1, 0.25},
+         {0, 1, 0.25}},
+        {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {2, 3, 5}, {1, 2, 5}, {1, 5, 4}, {3, 0, 4}, {3, 4, 5}}};
   }
   if (number == 2) {
     return {{{0, 0, 0.25}, {1, 0, -0.75}, {-0.5, 1, -0.75}, {-0.5, -1, -0.75}},
             faces_of_tetrahedron};
   }
-  return contact::box_mesh({-1, -0.75, -0.75}, {1, 0.75, 0});
+  Mesh box;
+  for (int i = 0; i < 8; ++i)
+    box.vertices.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 0.75 : -0.75, i & 4 ? 0.0 : -0.75});
+  for (const auto& [a, b, c, d] :
+       {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+        std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+    box.triangles.push_back({a, b, c});
+    box.triangles.push_back({a, c, d});
+  }
+  return box;
 }
 
 /// To whole 1,024ths, so that all that follows is exact for what is drawn.
