@@ -43,6 +43,7 @@ namespace mesh_pairs_detail {
 /// A pair of nodes of two trees.
 struct NodePair {
   int of_first, of_second;
+  int depth;  ///< how many nodes were opened above it
 };
 
 /// Half of the surface of a box. An overflow makes it infinite.
@@ -76,18 +77,20 @@ bool touches_box(const Triangle<S>& t, const Aabb<S>& box) {
   return apart == 0;
 }
 
-/// Pairs of nodes that wait to be opened. The last one is next, as in every search in depth; but
-/// from time to time the first one, which is far from there and large. So a search for any pair
-/// does not stay where there is none: after k such changes about 4 k² leaves have been visited.
+/// Pairs of nodes that wait to be opened. The last one is next, as in every search in depth. But
+/// each time that an eighth more leaves has been visited, it is one of the least depth, which is
+/// large and far from there. So a search for any pair does not stay where there is none.
 class WaitingPairs {
  public:
   bool empty() const { return pairs_.empty(); }
-  void add(int i, int j) { pairs_.push_back({i, j}); }
+  void add(const NodePair& pair) { pairs_.push_back(pair); }
   NodePair take() {
     if (leaves_ >= next_change_) {
-      std::swap(pairs_.front(), pairs_.back());
-      step_ += 8;
-      next_change_ += step_;
+      next_change_ += 1 + leaves_ / 8;
+      const auto shallow =
+          std::min_element(pairs_.begin(), pairs_.end(),
+                           [](const NodePair& p, const NodePair& q) { return p.depth < q.depth; });
+      std::iter_swap(shallow, pairs_.end() - 1);
     }
     const NodePair pair = pairs_.back();
     pairs_.pop_back();
@@ -98,7 +101,7 @@ class WaitingPairs {
 
  private:
   std::vector<NodePair> pairs_;
-  std::size_t leaves_ = 0, step_ = 8, next_change_ = 8;
+  std::size_t leaves_ = 0, next_change_ = 1;
 };
 
 template <FloatOrDouble S>
@@ -120,27 +123,27 @@ bool visit_touching_leaves(const BoxHierarchy<S>& a, const BoxHierarchy<S>& b, c
                            std::size_t& compared) {
   if (a.nodes.empty() || b.nodes.empty()) return false;
   WaitingPairs waiting;
-  const auto compare = [&](int i, int j) {
+  const auto compare = [&](int i, int j, int depth) {
     ++compared;
-    if (boxes_touch(node(a, i).box, node(b, j).box)) waiting.add(i, j);
+    if (boxes_touch(node(a, i).box, node(b, j).box)) waiting.add({i, j, depth});
   };
-  compare(0, 0);
+  compare(0, 0, 0);
   while (!waiting.empty()) {
-    const auto [i, j] = waiting.take();
+    const auto [i, j, depth] = waiting.take();
     const BoxNode<S>&x = node(a, i), &y = node(b, j);
     if (x.count > 0 && y.count > 0) {
       if (visit(x, y)) return true;
       waiting.count_leaf();
     } else if (&x == &y) {
-      waiting.add(x.first, x.first);
-      waiting.add(x.first + 1, x.first + 1);
-      compare(x.first, x.first + 1);
+      waiting.add({x.first, x.first, depth + 1});
+      waiting.add({x.first + 1, x.first + 1, depth + 1});
+      compare(x.first, x.first + 1, depth + 1);
     } else if (opens_first(x, y)) {
-      compare(x.first, j);
-      compare(x.first + 1, j);
+      compare(x.first, j, depth + 1);
+      compare(x.first + 1, j, depth + 1);
     } else {
-      compare(i, y.first);
-      compare(i, y.first + 1);
+      compare(i, y.first, depth + 1);
+      compare(i, y.first + 1, depth + 1);
     }
   }
   return false;
