@@ -51,7 +51,7 @@ bool border_meets(const Triangle& first, const Triangle& second) {
   //? The vertices of the one, each with its distance from the plane of the other.
   //? gap: plane_of(second)
   const Eigen::Vector3d d = distances(first, plane_of(second));
-  const std::array<Eigen::Vector3d, 3> u{first.a, first.b, first.c};
+  const Eigen::Matrix3d u = (Eigen::Matrix3d() << first.a, first.b, first.c).finished();
   for (int i = 0; i < 3; ++i) {
     //? The edge from one vertex to the next, the last one back to the first.
     //? gap: (i + 1) % 3
@@ -66,9 +66,9 @@ bool border_meets(const Triangle& first, const Triangle& second) {
     const double of_i = std::abs(d[j]);
     const double of_j = std::abs(d[i]);
     //? The point is the weighted mean, here without the division.
-    //? gap: of_i * u[i] + of_j * u[j]
+    //? gap: of_i * u.col(i) + of_j * u.col(j)
     //? gap: of_i + of_j
-    if (is_in(of_i * u[i] + of_j * u[j], of_i + of_j, second)) return true;
+    if (is_in(of_i * u.col(i) + of_j * u.col(j), of_i + of_j, second)) return true;
   }
   return false;
 }
