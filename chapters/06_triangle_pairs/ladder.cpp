@@ -326,8 +326,9 @@ std::unique_ptr<Input> close(generators::Random& random) {
 /// Half a million metres away, where floats are a thirty-second apart.
 std::unique_ptr<Input> far_away(generators::Random& random) {
   const Mesh<double>& first = any_of(random, mesh_families::far_away());
-  return made(first, moved(first, Point(random.integer(-3, 3), random.integer(-3, 3),
-                                        random.integer(-3, 3))));
+  const Point by{double(random.integer(-3, 3)), double(random.integer(-3, 3)),
+                 double(random.integer(-3, 3))};
+  return made(first, moved(first, by));
 }
 
 ladder::Example shown(Asked input, const Answer& got, const Answer& right, const ladder::Method&) {
