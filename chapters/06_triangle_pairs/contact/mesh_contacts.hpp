@@ -78,9 +78,9 @@ class NamedMesh {
   }
   /// Whether an edge of another mesh lies in the plane of a triangle.
   bool has_in_plane(int triangle, const NamedMesh& other, const NamedFeature& edge) const {
-    const auto& [a, b, c] = merged_.triangles[static_cast<std::size_t>(triangle)];
+    const std::array<int, 3>& t = merged_.triangles[static_cast<std::size_t>(triangle)];
     return std::all_of(edge.vertices.begin(), edge.vertices.begin() + 2, [&](int v) {
-      return orient_3d(vertex(a), vertex(b), vertex(c), other.vertex(v)) == 0;
+      return orient_3d(vertex(t[0]), vertex(t[1]), vertex(t[2]), other.vertex(v)) == 0;
     });
   }
 
