@@ -65,16 +65,15 @@ inline Vector2<double> farthest_corner(const Vector2<double>& p, const Vector2<d
 }
 
 /// Whether an edge of the triangle abc of the plane has the rectangle strictly on its outer side.
-/// `orientation` is that of abc. With 0 the triangle is a segment, both of whose sides are outer.
+/// `orientation` is that of abc. If it is 0, the triangle is a segment, of which both sides are
+/// outer; its edges run in both directions, so the tests for +1 are enough. A point has no sides.
 inline bool edge_separates(const std::array<Vector2<double>, 3>& at, const Vector2<double>& low,
                            const Vector2<double>& high, int orientation) {
+  const bool inner_is_left = orientation >= 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector2<double>&p = at[i], &q = at[(i + 1) % 3];
-    const auto side = [&](bool left) {
-      return orient_2d(p, q, farthest_corner(p, q, low, high, left));
-    };
-    if (orientation >= 0 && side(true) < 0) return true;
-    if (orientation <= 0 && side(false) > 0) return true;
+    const int side = orient_2d(p, q, farthest_corner(p, q, low, high, inner_is_left));
+    if (inner_is_left ? side < 0 : side > 0) return true;
   }
   return false;
 }
