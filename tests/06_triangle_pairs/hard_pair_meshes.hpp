@@ -53,7 +53,10 @@ Pairs all_pairs(const Mesh<S>& a, const Mesh<S>& b, const Meet& meet) {
   return pairs;
 }
 inline Pairs true_pairs(const Case& c) {
-  return all_pairs(mesh_of(c, "_first"), mesh_of(c, "_second"), pair_truth::meet_exactly<double>);
+  return all_pairs(mesh_of(c, "_first"), mesh_of(c, "_second"),
+                   [](const Triangle<double>& t, const Triangle<double>& u) {
+                     return pair_truth::meet_exactly(t, u);
+                   });
 }
 
 template <std::floating_point S>

@@ -167,7 +167,9 @@ inline void add_questions(hard_cases::Runner& runner) {
   }
   add_rounded_methods<float>(runner, "float");
   add_rounded_methods<double>(runner, "double");
-  add_method<double>(runner, "orientations, a rule as printed", as_printed::meet);
+  add_method<double>(
+      runner, "orientations, a rule as printed",
+      [](const Triangle<double>& t, const Triangle<double>& u) { return as_printed::meet(t, u); });
   // Both types, where the input has both.
   const auto book = [](const Case& c, bool meet) {
     const auto decides = [](const auto& t, const auto& u) { return contact::triangles_meet(t, u); };

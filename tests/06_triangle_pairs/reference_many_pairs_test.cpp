@@ -11,7 +11,6 @@
 namespace many_pairs_test {
 namespace {
 
-using contact::Triangle;
 using contact::triangles_meet;
 using contact::triangles_meet_unfiltered;
 using generators::Random;

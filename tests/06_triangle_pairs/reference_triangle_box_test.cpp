@@ -152,7 +152,10 @@ TEST_CASE("a triangle meets a box as it meets the box's surface or has a vertex 
 
 TEST_CASE("all triangles of a small grid at all its boxes are decided without error") {
   // Vertices at 0, 1 and 2, boxes from 0 or 1 to 1 or 2, one of them flat.
-  const auto point = [](int i) { return Point{double(i % 3), double(i / 3 % 3), double(i / 9)}; };
+  const auto point = [](int i) {
+    const int row = i / 3 % 3, layer = i / 9;
+    return Point{double(i % 3), double(row), double(layer)};
+  };
   const std::array<Aabb<double>, 4> boxes{
       Aabb<double>{Point(0, 0, 0), Point(1, 1, 1)}, Aabb<double>{Point(0, 0, 1), Point(1, 2, 1)},
       Aabb<double>{Point(1, 0, 1), Point(1, 2, 1)}, Aabb<double>{Point(1, 1, 1), Point(1, 1, 1)}};
