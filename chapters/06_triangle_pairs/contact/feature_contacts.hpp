@@ -84,6 +84,34 @@ using feature_pairs_detail::FeaturePair;
 using SortedTriangle = triangle_intersection_detail::SortedTriangle<MovedPoint>;
 using SortedPair = triangle_intersection_detail::SortedPair<MovedPoint>;
 
+/// A triangle of a mesh; or, of one without area, a segment between two neighbouring vertices.
+struct Part {
+  std::size_t triangle;
+  std::array<int, 3> vertex{0, 1, 2};  ///< of the triangle; a segment has one of them twice
+
+  /// The feature of the triangle from that of the part.
+  Feature as_given(const Feature& feature) const {
+    const auto at = [&](int i) { return vertex[static_cast<std::size_t>(i % 3)]; };
+    if (feature.kind == FeatureKind::face) return feature;
+    if (feature.kind == FeatureKind::vertex) return {FeatureKind::vertex, at(feature.index)};
+    return {FeatureKind::edge, edge_between(at(feature.index), at(feature.index + 1))};
+  }
+};
+inline std::vector<Part> parts_of(const Mesh<double>& mesh) {
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto sorted = triangle_intersection_detail::sorted_triangle(triangle_of(mesh, i));
+    const auto& [a, b, c] = sorted.index;
+    if (sorted.set.size == 3 || sorted.at[0] == sorted.at[1] || sorted.at[1] == sorted.at[2]) {
+      parts.push_back({i});
+    } else {
+      parts.push_back({i, {a, b, b}});
+      parts.push_back({i, {b, c, c}});
+    }
+  }
+  return parts;
+}
+
 /// Collects what two meshes have in common at a time.
 class ContactList {
  public:
@@ -96,21 +124,26 @@ class ContactList {
         moving_vertices_(moved_vertices(moving, displacement, time)),
         resting_vertices_(moved_vertices(resting, Vector3<double>::Zero(), time)) {}
 
-  /// Adds the contacts of two triangles.
-  void add(std::size_t i, std::size_t j) {
-    const auto first = moved_triangle(moving_.triangles[i], moving_vertices_);
-    const auto second = moved_triangle(resting_.triangles[j], resting_vertices_);
+  /// Adds the contacts of two triangles or segments.
+  void add(const Part& of_moving, const Part& of_resting) {
+    const auto first = points_of(of_moving, moving_, moving_vertices_);
+    const auto second = points_of(of_resting, resting_, resting_vertices_);
     if (!may_meet(first, second)) return;
     const SortedPair pair{SortedTriangle(first), SortedTriangle(second)};
     const int n = pair.pairs.count;
+    const auto as_given = [&](int k) {
+      const FeaturePair given = pair.as_given(k);
+      return FeaturePair{of_moving.as_given(given.of_first), of_resting.as_given(given.of_second)};
+    };
+    const std::size_t i = of_moving.triangle, j = of_resting.triangle;
     for (int k = 0; k < n; ++k) {
-      const FeaturePair p = pair.as_given(k);
+      const FeaturePair p = as_given(k);
       const Vector3<double> x = position(pair, k);
       add_smallest(i, j, p, x);
       add_closed(i, j, p, x);
       if (n == 1 || (n == 2 && k == 1)) continue;
       // The side to the next vertex.
-      const FeaturePair q = pair.as_given((k + 1) % n);
+      const FeaturePair q = as_given((k + 1) % n);
       add_smallest(i, j, joined(p, q), (x + position(pair, (k + 1) % n)) / 2);
     }
     if (n > 2) add_smallest(i, j, {}, middle(pair));
@@ -130,12 +163,13 @@ class ContactList {
   std::vector<MovedVertex> moving_vertices_, resting_vertices_;
   std::vector<FeatureContact> smallest_, closed_;
 
-  static std::array<MovedPoint, 3> moved_triangle(const std::array<int, 3>& t,
-                                                  const std::vector<MovedVertex>& vertices) {
-    const auto at = [&vertices](int v) {
-      return MovedPoint{&vertices[static_cast<std::size_t>(v)]};
+  static std::array<MovedPoint, 3> points_of(const Part& part, const Mesh<double>& mesh,
+                                             const std::vector<MovedVertex>& vertices) {
+    const auto at = [&](std::size_t k) {
+      const auto i = static_cast<std::size_t>(part.vertex[k]);
+      return MovedPoint{&vertices[static_cast<std::size_t>(mesh.triangles[part.triangle][i])]};
     };
-    return {at(t[0]), at(t[1]), at(t[2])};
+    return {at(0), at(1), at(2)};
   }
   /// Whether no plane x, y or z = constant is between them, by their rounded coordinates.
   static bool may_meet(const std::array<MovedPoint, 3>& s, const std::array<MovedPoint, 3>& t) {
@@ -251,8 +285,9 @@ inline std::optional<FirstContact> first_contact(const Mesh<double>& moving,
     found.exact_t = ExactFraction(time->above) / ExactFraction(time->below);
   }
   ContactList list(moving, displacement, resting, *time);
-  for (std::size_t i = 0; i < moving.triangles.size(); ++i) {
-    for (std::size_t j = 0; j < resting.triangles.size(); ++j) list.add(i, j);
+  const std::vector<Part> of_resting = parts_of(resting);
+  for (const Part& part : parts_of(moving)) {
+    for (const Part& other : of_resting) list.add(part, other);
   }
   list.move_to(found);
   return found;
