@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <contact/difference_determinant.hpp>
 #include <contact/drop_dimension.hpp>
@@ -30,6 +29,8 @@ namespace pair_signs_detail {
 
 using pair_decision_detail::Vertex;
 using pair_decision_detail::Vertices;
+template <std::size_t n>
+using Digits = difference_detail::Digits<n>;
 
 /// The plane of three vertices, to which points are compared one by one.
 struct PlaneOf {
@@ -79,8 +80,10 @@ class Whole {
     const double longest = extents.maxCoeff();
     const double largest = std::max(high.cwiseAbs().maxCoeff(), low.cwiseAbs().maxCoeff());
     if (!(largest < 0x1p900 && longest > 0x1p-900)) return std::nullopt;
+    using difference_detail::power_of_two;
+    const auto above = [](double x) { return difference_detail::stored_exponent(x) - 1022; };
     // The longest side is less than 2^36 units, and the largest coordinate less than 2^62.
-    const int exponent = std::max(exponent_above(longest) - 36, exponent_above(largest) - 62);
+    const int exponent = std::max(above(longest) - 36, above(largest) - 62);
     const double unit = power_of_two(exponent), per_unit = power_of_two(-exponent);
     Whole made;
     bool whole = true;
@@ -91,8 +94,8 @@ class Whole {
         made.at_[i][static_cast<std::size_t>(k)] = multiple;
         whole = whole && static_cast<double>(multiple) * unit == x;
       }
+      if (!whole) return std::nullopt;
     }
-    if (!whole) return std::nullopt;
     return made;
   }
 
@@ -143,13 +146,81 @@ class Whole {
     return {real(bj) * real(ck) - real(bk) * real(cj),
             modulo(bj) * modulo(ck) - modulo(bk) * modulo(cj)};
   }
+};
 
-  /// A power of two above x is 2 to this.
-  static int exponent_above(double x) {
-    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1022;
+/// Signs of vertices whose coordinates span at most 84 bits, by a filter with one bound, and where
+/// it is not certain by integers of three digits. Each vertex is converted once, and the normal of
+/// a plane is computed once for all vertices.
+class Wide {
+ public:
+  /// The vertices in digits, if they can be converted.
+  /// @param bound of the error of every volume, as in `meet_filtered`; may be infinite
+  static std::optional<Wide> of(const Vertices& vertices, double bound) {
+    double largest = 0;
+    for (const Vector3<double>& v : vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    if (!(largest < 0x1p900 && largest > 0x1p-900)) return std::nullopt;
+    Wide made(vertices, bound);
+    const difference_detail::Scaling<3> scaling(difference_detail::stored_exponent(largest));
+    bool whole = true;
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        made.digits_[i][static_cast<std::size_t>(k)] = scaling.digits(vertices[i][k], 0, whole);
+      }
+      if (!whole) return std::nullopt;
+    }
+    return made;
   }
-  static double power_of_two(int exponent) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+
+  /// A plane with its normal, rounded, and in digits as soon as a sign needs it.
+  struct Plane {
+    PlaneOf vertices;
+    Vector3<double> rounded;
+    mutable std::optional<std::array<Digits<6>, 3>> exact;
+  };
+  Plane plane(Vertex a, Vertex b, Vertex c) const {
+    const Vector3<double> ab = (*at_)[b] - (*at_)[a], ac = (*at_)[c] - (*at_)[a];
+    return {{a, b, c}, ab.cross(ac), std::nullopt};
+  }
+  int side(const Plane& p, Vertex v) const {
+    const Vector3<double> away = (*at_)[v] - (*at_)[p.vertices.a];
+    const double volume = away.dot(p.rounded);
+    if (std::abs(volume) > bound_) return volume > 0 ? 1 : -1;
+    return side_in_digits(p, v);
+  }
+  int area(int k, Vertex a, Vertex b, Vertex c) const { return Filtered{*at_}.area(k, a, b, c); }
+
+ private:
+  const Vertices* at_;
+  double bound_;
+  std::array<std::array<Digits<3>, 3>, 6> digits_;
+
+  Wide(const Vertices& vertices, double bound) : at_(&vertices), bound_(bound) {}
+
+  /// Coordinate k of v − a. Its digits are below 2^29 in magnitude.
+  Digits<3> difference(Vertex v, Vertex a, std::size_t k) const {
+    const Digits<3>&x = digits_[v][k], &y = digits_[a][k];
+    return {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+  }
+  /// Sums of at most six products of two such digits are below 2^61. After the carry the last
+  /// digit of a component of the normal is at most 2^31, and all others are below 2^28.
+  std::array<Digits<6>, 3> normal(const PlaneOf& p) const {
+    std::array<Digits<6>, 3> n;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      n[i] = difference_detail::area<3>(difference(p.b, p.a, j), difference(p.b, p.a, k),
+                                        difference(p.c, p.a, j), difference(p.c, p.a, k));
+      difference_detail::carry_and_sign(n[i]);
+    }
+    return n;
+  }
+  /// A digit of the volume is below three times 2^60 + 2^58.
+  [[gnu::noinline]] int side_in_digits(const Plane& p, Vertex v) const {
+    if (!p.exact) p.exact = normal(p.vertices);
+    Digits<9> volume{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      difference_detail::add_product(volume, difference(v, p.vertices.a, i), (*p.exact)[i], 1);
+    }
+    return difference_detail::carry_and_sign(volume);
   }
 };
 

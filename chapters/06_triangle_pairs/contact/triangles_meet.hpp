@@ -4,13 +4,17 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/pair_decision.hpp>
 #include <contact/pair_orientations.hpp>
 #include <contact/pair_signs.hpp>
 #include <contact/shapes.hpp>
 #include <contact/vector.hpp>
+#include <cstddef>
+#include <limits>
 
 namespace contact {
 
@@ -27,10 +31,11 @@ inline Vertices six_vertices(const Triangle<double>& first, const Triangle<doubl
 /// The decision where the filter of `triangles_meet` was in doubt.
 ///
 /// A vertex in common is a common point, so it needs no sign. Otherwise all signs are computed in
-/// integers, if all coordinates are whole multiples of one unit and not too many of it. If not,
-/// each sign has its own filter and its own exact arithmetic.
+/// integers: small ones if all coordinates are multiples of one unit and not too many of it, larger
+/// ones if they span at most 84 bits. If not, each sign has its own filter and exact arithmetic.
+/// @param bound of the error of a volume in double
 [[gnu::noinline]] inline bool meet_in_doubt(const Triangle<double>& first,
-                                            const Triangle<double>& second) {
+                                            const Triangle<double>& second, double bound) {
   using namespace pair_signs_detail;
   const Vertices vertices = six_vertices(first, second);
   for (const Vector3<double>& v : vertices) {
@@ -42,6 +47,7 @@ inline Vertices six_vertices(const Triangle<double>& first, const Triangle<doubl
     }
   }
   if (const auto whole = Whole::of(vertices)) return Decision(vertices, *whole).meet();
+  if (const auto wide = Wide::of(vertices, bound)) return Decision(vertices, *wide).meet();
   return Decision(vertices, Filtered{vertices}).meet();
 }
 
@@ -72,23 +78,26 @@ inline pair_orientations_detail::Apex certain_apex(double a, double b, double c)
 /// times their sum: 6·8u xyz. The computed sides and their product are at most 5 roundings smaller:
 /// 50u covers 48u (1 + 14u) and the rounding of the product. With sides below 2^300 nothing
 /// overflows, and underflow adds at most half of 2^-1074 to each of nine products, of which six are
-/// then multiplied by a side: far less than 2^-700. A NaN leaves a sign uncertain: that of every
-/// height over a plane through its vertex.
+/// then multiplied by a side: far less than 2^-700. With a vertex that is NaN all
+/// heights above its triangle's plane are NaN, so none of their signs is certain.
 inline bool meet_filtered(const Triangle<double>& t, const Triangle<double>& u) {
-  using pair_orientations_detail::Ordered;
+  using namespace pair_orientations_detail;
   const Range tx = range(t.a.x(), t.b.x(), t.c.x()), ux = range(u.a.x(), u.b.x(), u.c.x());
   const Range ty = range(t.a.y(), t.b.y(), t.c.y()), uy = range(u.a.y(), u.b.y(), u.c.y());
   const Range tz = range(t.a.z(), t.b.z(), t.c.z()), uz = range(u.a.z(), u.b.z(), u.c.z());
   const auto apart = [](const Range& r, const Range& s) {
     return (r.high < s.low) | (s.high < r.low);
   };
-  if (apart(tx, ux) | apart(ty, uy) | apart(tz, uz)) return false;
+  const bool along_x = apart(tx, ux), along_y = apart(ty, uy), along_z = apart(tz, uz);
+  if (along_x | along_y | along_z) return false;
 
   const auto side = [](const Range& r, const Range& s) {
     return std::max(r.high, s.high) - std::min(r.low, s.low);
   };
   const double x = side(tx, ux), y = side(ty, uy), z = side(tz, uz);
-  if (!(x + y + z < 0x1p300)) return meet_in_doubt(t, u);
+  if (!(x + y + z < 0x1p300)) {
+    return meet_in_doubt(t, u, std::numeric_limits<double>::infinity());
+  }
   constexpr double fifty_u = 25 * std::numeric_limits<double>::epsilon();
   const double bound = fifty_u * (x * y * z) + 0x1p-700;
 
@@ -99,22 +108,14 @@ inline bool meet_filtered(const Triangle<double>& t, const Triangle<double>& u) 
   const auto smallest = [](double a, double b, double c) {
     return std::min(std::min(std::abs(a), std::abs(b)), std::abs(c));
   };
-  const auto normal_of = [](const Triangle<double>& s) {
-    const Vector3<double> ab = s.b - s.a, ac = s.c - s.a;
-    return Vector3<double>(ab.cross(ac));
-  };
-  const auto height = [](const Vector3<double>& n, const Vector3<double>& a,
-                         const Vector3<double>& v) {
-    const Vector3<double> away = v - a;
-    return away.dot(n);
-  };
   const Vector3<double> nu = normal_of(u);
   const double ta = height(nu, u.a, t.a), tb = height(nu, u.a, t.b), tc = height(nu, u.a, t.c);
   if (one_side(ta, tb, tc)) return false;
   const Vector3<double> nt = normal_of(t);
   const double ua = height(nt, t.a, u.a), ub = height(nt, t.a, u.b), uc = height(nt, t.a, u.c);
   if (one_side(ua, ub, uc)) return false;
-  if (!(smallest(ta, tb, tc) > bound) | !(smallest(ua, ub, uc) > bound)) return meet_in_doubt(t, u);
+  const bool of_t = smallest(ta, tb, tc) > bound, of_u = smallest(ua, ub, uc) > bound;
+  if (!of_t || !of_u) return meet_in_doubt(t, u, bound);
 
   using Vertex = const Vector3<double>*;
   bool doubt = false;
@@ -126,7 +127,7 @@ inline bool meet_filtered(const Triangle<double>& t, const Triangle<double>& u) 
                           doubt = doubt || !(std::abs(volume) > bound);
                           return volume > 0 ? 1 : -1;
                         });
-  return doubt ? meet_in_doubt(t, u) : meet;
+  return doubt ? meet_in_doubt(t, u, bound) : meet;
 }
 // [/filter]
 
