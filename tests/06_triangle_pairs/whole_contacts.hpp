@@ -4,9 +4,6 @@
 /// people make, and bodies that touch. For the tests of the exercise.
 #pragma once
 
-#include <map>
-#include <set>
-
 #include <05_meshes/solids.hpp>
 #include <06_triangle_pairs/whole_edges.hpp>
 
@@ -66,27 +63,35 @@ inline bool counts(const Mesh& mesh, std::size_t i, std::size_t j, Edges kind) {
   });
 }
 
-/// Each edge with its triangles.
-inline std::map<Name, std::vector<std::size_t>> triangles_of_edges(const Mesh& mesh) {
-  std::map<Name, std::vector<std::size_t>> all;
+/// An edge with its two triangles.
+struct EdgeOfTwo {
+  Name edge;
+  std::size_t first, second;
+};
+inline std::vector<EdgeOfTwo> edges_of_two(const Mesh& mesh) {
+  std::vector<std::pair<Name, std::size_t>> all;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (const Name& edge : edges_of_triangle(mesh, i)) all[sorted(edge)].push_back(i);
+    for (const Name& edge : edges_of_triangle(mesh, i)) all.emplace_back(sorted(edge), i);
   }
-  return all;
+  std::sort(all.begin(), all.end());
+  std::vector<EdgeOfTwo> paired;
+  for (std::size_t i = 0; i + 1 < all.size(); i += 2)
+    paired.push_back({all[i].first, all[i].second, all[i + 1].second});
+  return paired;
 }
 
 inline std::vector<Name> edges(const Mesh& mesh, Edges kind = Edges::of_body) {
   std::vector<Name> all;
-  for (const auto& [edge, triangles] : triangles_of_edges(mesh)) {
-    if (counts(mesh, triangles.at(0), triangles.at(1), kind)) all.push_back(edge);
+  for (const auto& [edge, first, second] : edges_of_two(mesh)) {
+    if (counts(mesh, first, second, kind)) all.push_back(edge);
   }
   return all;
 }
 /// Edges whose triangles have unit normals with a dot product of more than this are left out.
 inline std::vector<Name> edges_with_tolerance(const Mesh& mesh, double cosine) {
   std::vector<Name> all;
-  for (const auto& [edge, triangles] : triangles_of_edges(mesh)) {
-    const Point m = normal(mesh, triangles.at(0)), n = normal(mesh, triangles.at(1));
+  for (const auto& [edge, first, second] : edges_of_two(mesh)) {
+    const Point m = normal(mesh, first), n = normal(mesh, second);
     if (m.normalized().dot(n.normalized()) < cosine) all.push_back(edge);
   }
   return all;
