@@ -2,6 +2,7 @@
 #include <06_triangle_pairs/pair_families.hpp>
 #include <06_triangle_pairs/pair_truth.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <contact/triangles_meet.hpp>
 #include <cstdint>
 #include <limits>
@@ -120,6 +121,24 @@ TEST_CASE("pairs at the ends of the range of doubles and of floats are decided w
       const bool also = pair_truth::meet_in_integers(floats.first, floats.second);
       check(floats, -149, also);
       check(floats, 127 - 24, also);
+    }
+  }
+}
+
+TEST_CASE("a power of two of its own for each axis changes no decision") {
+  for (const Family family : pair_families::all) {
+    INFO(pair_families::name(family));
+    Random random(350 + static_cast<std::uint64_t>(family));
+    for (int i = 0; i < generators::tried(1000); ++i) {
+      Pair<double> pair = pair_families::pair<double>(random, family);
+      const bool meet = pair_truth::meet_in_integers(pair.first, pair.second);
+      for (int k = 0; k < 3; ++k) {
+        const int exponent = i % 2 == 0 ? random.integer(-60, 60) : random.integer(-1000, 900);
+        for (auto* t : {&pair.first, &pair.second}) {
+          for (auto* v : {&t->a, &t->b, &t->c}) (*v)[k] = std::ldexp((*v)[k], exponent);
+        }
+      }
+      require_meet(pair, meet);
     }
   }
 }
