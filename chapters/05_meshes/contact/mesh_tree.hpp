@@ -40,6 +40,9 @@ struct TreeCounts {
 template <FloatOrDouble S>
 class MeshTree {
  public:
+  /// The most triangles of a leaf.
+  static constexpr int max_leaf = 4;
+
   /// @throws std::invalid_argument if a triangle names a vertex that does not exist
   explicit MeshTree(Mesh<S> mesh) : mesh_(std::move(mesh)) {
     const int vertices = static_cast<int>(mesh_.vertices.size());
@@ -148,8 +151,6 @@ class MeshTree {
     detail::MeshMeeting met;
     std::size_t at = 0;
   };
-
-  static constexpr int max_leaf = 4;
 
   Mesh<S> mesh_;
   BoxHierarchy<S> tree_;

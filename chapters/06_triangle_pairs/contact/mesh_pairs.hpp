@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <contact/aabb.hpp>
 #include <contact/box_tree.hpp>
@@ -60,21 +61,17 @@ bool opens_first(const BoxNode<S>& a, const BoxNode<S>& b) {
   return half_surface(a.box) > half_surface(b.box);
 }
 
+/// The same as boxes_touch, without a branch to mispredict.
+template <FloatOrDouble S>
+bool touch(const Aabb<S>& a, const Aabb<S>& b) {
+  int apart = 0;
+  for (int k = 0; k < 3; ++k) apart |= int(a.high[k] < b.low[k]) | int(b.high[k] < a.low[k]);
+  return apart == 0;
+}
+
 template <FloatOrDouble S>
 Aabb<S> box_of(const Triangle<S>& t) {
   return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
-}
-
-/// Whether the box of a triangle touches another box; without a branch to mispredict.
-template <FloatOrDouble S>
-bool touches_box(const Triangle<S>& t, const Aabb<S>& box) {
-  int apart = 0;
-  for (int k = 0; k < 3; ++k) {
-    const S low = std::min(std::min(t.a[k], t.b[k]), t.c[k]);
-    const S high = std::max(std::max(t.a[k], t.b[k]), t.c[k]);
-    apart |= int(high < box.low[k]) | int(box.high[k] < low);
-  }
-  return apart == 0;
 }
 
 /// Pairs of nodes that wait to be opened. The last one is next, as in every search in depth. But
@@ -125,7 +122,7 @@ bool visit_touching_leaves(const BoxHierarchy<S>& a, const BoxHierarchy<S>& b, c
   WaitingPairs waiting;
   const auto compare = [&](int i, int j, int depth) {
     ++compared;
-    if (boxes_touch(node(a, i).box, node(b, j).box)) waiting.add({i, j, depth});
+    if (touch(node(a, i).box, node(b, j).box)) waiting.add({i, j, depth});
   };
   compare(0, 0, 0);
   while (!waiting.empty()) {
@@ -157,22 +154,37 @@ inline void add(PairCounts* counts, const PairCounts& done) {
   counts->triangles += done.triangles;
 }
 
+/// The triangles of a leaf whose boxes touch another box, by their positions.
+template <FloatOrDouble S>
+struct LeafPart {
+  std::array<int, MeshTree<S>::max_leaf> at;
+  std::array<Aabb<S>, MeshTree<S>::max_leaf> box;
+  std::size_t count = 0;
+
+  LeafPart(const MeshTree<S>& tree, const BoxNode<S>& leaf, const Aabb<S>& other) {
+    for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      at[count] = i;
+      box[count] = box_of(tree.ordered_triangles()[static_cast<std::size_t>(i)]);
+      count += touch(box[count], other) ? 1 : 0;
+    }
+  }
+};
+
 /// Calls each(i, j) for the positions of triangles in two leaves whose boxes touch and for which
 /// `meet` is true of the triangles, until it returns true. A leaf with itself: i < j.
 template <FloatOrDouble S, class Meet, class Each>
 bool each_of_leaves(const MeshTree<S>& a, const BoxNode<S>& x, const MeshTree<S>& b,
                     const BoxNode<S>& y, PairCounts& done, const Meet& meet, const Each& each) {
-  for (int i = x.first; i < x.first + x.count; ++i) {
+  const LeafPart<S> part_of_x(a, x, y.box), part_of_y(b, y, x.box);
+  done.boxes += static_cast<std::size_t>(x.count + y.count) + part_of_x.count * part_of_y.count;
+  for (std::size_t k = 0; k < part_of_x.count; ++k) {
+    const int i = part_of_x.at[k];
     const Triangle<S>& s = a.ordered_triangles()[static_cast<std::size_t>(i)];
-    ++done.boxes;
-    if (!touches_box(s, y.box)) continue;
-    const Aabb<S> box = box_of(s);
-    for (int j = &x == &y ? i + 1 : y.first; j < y.first + y.count; ++j) {
-      const Triangle<S>& t = b.ordered_triangles()[static_cast<std::size_t>(j)];
-      ++done.boxes;
-      if (!touches_box(t, box)) continue;
+    for (std::size_t l = &x == &y ? k + 1 : 0; l < part_of_y.count; ++l) {
+      if (!touch(part_of_x.box[k], part_of_y.box[l])) continue;
+      const int j = part_of_y.at[l];
       ++done.triangles;
-      if (meet(s, t) && each(i, j)) return true;
+      if (meet(s, b.ordered_triangles()[static_cast<std::size_t>(j)]) && each(i, j)) return true;
     }
   }
   return false;
