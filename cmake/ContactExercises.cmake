@@ -117,12 +117,16 @@ endfunction()
 
 # Links objects into one, in which only the named symbols (besides undefined ones) can be seen from outside. COMDAT
 # groups are dissolved first: a linker would otherwise still exchange a function for another object's of the same name.
+# GNU's unique symbols (inline variables of the standard library) are made weak first, because objcopy does not make them
+# local; a student's file that has the same ones would not link.
 function(contact_seal output keep)
   list(TRANSFORM keep PREPEND "--keep-global-symbol=")
   add_custom_command(OUTPUT "${output}"
     COMMAND "${CONTACT_PARTIAL_LINKER}" -r --force-group-allocation -o "${output}.open" ${ARGN}
+    COMMAND sh -c "'${CMAKE_NM}' --format=posix '${output}.open' | awk '$2 == \"u\" { print $1 }' > '${output}.unique'"
+    COMMAND "${CMAKE_OBJCOPY}" "--weaken-symbols=${output}.unique" "${output}.open"
     COMMAND "${CMAKE_OBJCOPY}" --strip-debug ${keep} "${output}.open" "${output}"
-    COMMAND "${CMAKE_COMMAND}" -E rm "${output}.open"
+    COMMAND "${CMAKE_COMMAND}" -E rm "${output}.open" "${output}.unique"
     DEPENDS ${ARGN} COMMAND_EXPAND_LISTS COMMENT "Sealing ${output}" VERBATIM)
 endfunction()
 
@@ -250,12 +254,15 @@ function(contact_add_exercise_checks)
     "$<TARGET_FILE:Catch2::Catch2>")
   add_custom_command(OUTPUT "${out}/open" COMMAND "${CMAKE_CXX_COMPILER}" "${out}/attack.o" ${open} -o "${out}/open"
     DEPENDS "${out}/attack.o" ${open} COMMAND_EXPAND_LISTS VERBATIM)
-  add_custom_target(contact_sealed ALL DEPENDS "${out}/sealed" "${out}/open")
+  contact_compile_as_student("${out}/map.o" "${dir}/sealed/uses_a_map.cpp" 02_triangles ray_triangle)
+  add_custom_target(contact_sealed ALL DEPENDS "${out}/sealed" "${out}/open" "${out}/map.o")
   add_dependencies(exercises contact_sealed)
   set(test "a ray hits where it passes inside the triangle and misses beside it")
   add_test(NAME sealed_tests_cannot_be_changed COMMAND "${out}/sealed" "${test}")
   set_tests_properties(sealed_tests_cannot_be_changed PROPERTIES WILL_FAIL ON)
   add_test(NAME open_tests_could_be_changed COMMAND "${out}/open" "${test}")
+  add_test(NAME standard_library_links_with_sealed_tests COMMAND "${CMAKE_CXX_COMPILER}" ${CONTACT_STUDENT_LINK_FLAGS}
+    "${out}/map.o" "${sealed}" -o "${out}/map")
 endfunction()
 
 # Finds every exercise and builds what it needs; the target `exercises` is all of them.
