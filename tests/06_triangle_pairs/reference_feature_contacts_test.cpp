@@ -322,6 +322,27 @@ TEST_CASE("the first contact is the same at every scale, and with the meshes exc
   }
 }
 
+TEST_CASE("the first contact of bodies on the grid is the same far from the origin") {
+  // Rounded, the positions at the contact are off by more than the room that whole numbers need.
+  Random random(28);
+  int found = 0;
+  for (int i = 0; i < generators::tried(400); ++i) {
+    const Moving m = whole_bodies(random);
+    const auto first = contact::first_contact(m.moving, m.displacement, m.resting);
+    const Vector3<double> far(std::ldexp(1.0, random.integer(20, 50)),
+                              std::ldexp(-1.0, random.integer(20, 50)), 0);
+    const auto away =
+        contact::first_contact(moved(m.moving, far), m.displacement, moved(m.resting, far));
+    REQUIRE(away.has_value() == first.has_value());
+    if (!first) continue;
+    ++found;
+    REQUIRE(away->exact_t == first->exact_t);
+    REQUIRE(as_set(away->contacts) == as_set(first->contacts));
+    REQUIRE(as_set(away->realised_by) == as_set(first->realised_by));
+  }
+  CHECK(found > generators::tried(400) / 2);
+}
+
 TEST_CASE("a box that lands on a box touches with four vertices, and no diagonal is an edge") {
   const auto first = contact::first_contact(contact::box_mesh({1, 1, 6}, {2, 2, 7}), {0, 0, -4},
                                             contact::box_mesh({0, 0, 0}, {4, 4, 4}));
