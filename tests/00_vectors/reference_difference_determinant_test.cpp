@@ -140,6 +140,11 @@ TEST_CASE("a difference that overflows, and the smallest number beside the large
       turn(0, high, off);
     }
   }
+  for (const double off : {-0x1p-400, 0.0, 0x1p-400}) {
+    turn(0, 0x1p800, off);
+    require_2d({off, 0}, {0x1p800, 0x1p800}, {-0x1p800, -0x1p800}, seen);
+    require_3d({off, 0, 0}, {0x1p800, 0x1p800, 0}, {0, 0, 1}, {-0x1p800, -0x1p800, 0}, seen);
+  }
   REQUIRE(seen.left > 0);
   REQUIRE(seen.taken > 0);
 }
