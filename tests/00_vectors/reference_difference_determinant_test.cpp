@@ -35,7 +35,7 @@ Triple nearly_in_plane(generators::Random& random, const Triple& a, const Triple
 }
 
 struct Seen {
-  int zeros = 0, taken = 0, left = 0;
+  int zeros = 0, taken = 0, left = 0, whole = 0;
 };
 
 /// The sign that the integers give, if any, is that of the exact type.
@@ -50,7 +50,10 @@ void require_3d(const Triple& a, const Triple& b, const Triple& c, const Triple&
   const int right = contact::orient_3d_exactly(a, b, c, d);
   const std::optional<int> sign = determinant_sign(numbers);
   if (sign) REQUIRE(*sign == right);
+  const std::optional<int> of_whole = contact::difference_detail::whole_volume_sign(a, b, c, d);
+  if (of_whole) REQUIRE(*of_whole == right);
   REQUIRE(contact::orient_3d_in_doubt(a, b, c, d) == right);
+  seen.whole += of_whole.has_value();
   ++(sign ? seen.taken : seen.left);
   seen.zeros += right == 0;
 }
@@ -87,6 +90,8 @@ TEST_CASE("determinants of differences have the exact sign, whatever their numbe
     REQUIRE(seen.zeros > 0);
     // Differences of numbers below 1 are below 2, and rounding adds nothing below their last bits.
     if (span <= 110) REQUIRE(seen.left == 0);
+    // Points in a plane are sums of few multiples of halves; four equal points are left to others.
+    if (span <= 30) REQUIRE(seen.whole > 2 * generators::tried(150));
   }
 }
 
@@ -108,6 +113,27 @@ TEST_CASE("determinants of differences have the exact sign next to the largest i
   }
   REQUIRE(seen.zeros > 10000);
   REQUIRE(seen.left == 0);
+}
+
+TEST_CASE("volumes of whole multiples have the exact sign next to the largest") {
+  generators::Random random(4);
+  Seen seen;
+  for (const int bits : {39, 40, 41, 42}) {
+    const double largest = std::ldexp(1.0, bits);
+    for (const double away : {0.0, 1.0, 0x1p50, 0x1p52, -0x1p61}) {
+      const auto draw = [&] {
+        const double x = largest - random.integer(0, 2);
+        return away + (random.chance(0.5) ? x : random.integer(0, 2));
+      };
+      for (int i = 0; i < generators::tried(1000); ++i) {
+        const Triple a(draw(), draw(), draw()), b(draw(), draw(), draw());
+        const Triple c(draw(), draw(), draw());
+        require_3d(a, b, c, i % 2 == 0 ? a : Triple(draw(), draw(), draw()), seen);
+      }
+    }
+  }
+  REQUIRE(seen.whole > 5000);
+  REQUIRE(seen.zeros < seen.taken);
 }
 
 TEST_CASE("determinants of differences have the exact sign at every scale") {

@@ -253,4 +253,68 @@ inline std::optional<int> determinant_sign(const Differences<9>& numbers) {
   return sign_from_residue(rounded, residue);
 }
 
+__extension__ typedef __int128 WideInteger;
+
+/// Some coordinates as whole multiples of a common unit, if they are.
+class Multiples {
+ public:
+  /// @param longest of all differences, rounded
+  /// @param largest of all magnitudes
+  Multiples(double longest, double largest) {
+    if (!(largest < 0x1p900 && longest > 0x1p-900)) return;
+    const auto above = [](double x) { return stored_exponent(x) - 1022; };
+    const int exponent = std::max(above(longest) - 41, above(largest) - 62);
+    unit_ = power_of_two(exponent);
+    per_unit_ = power_of_two(-exponent);
+  }
+  /// How many units x is, below 2^62; unless it is a whole number of them, all_whole() is false
+  /// from then on.
+  Integer operator()(double x) {
+    const auto multiple = static_cast<Integer>(x * per_unit_);
+    all_whole_ = all_whole_ & (static_cast<double>(multiple) * unit_ == x);
+    return multiple;
+  }
+  /// Whether the numbers can be scaled.
+  bool scalable() const { return unit_ != 0; }
+  /// Whether each was a whole number of units.
+  bool all_whole() const { return all_whole_; }
+
+ private:
+  double unit_ = 0, per_unit_ = 0;
+  bool all_whole_ = true;
+};
+
+/// The sign of (d − a) · ((b − a) × (c − a)) if all coordinates are whole multiples of a unit below
+/// 2^62 and differ by at most 2^41 of it: floats of similar size, points of a grid. Six products of
+/// three such differences are below 2^126.
+/// @param a,b,c,d finite, of three coordinates
+template <class Point>
+std::optional<int> whole_volume_sign(const Point& a, const Point& b, const Point& c,
+                                     const Point& d) {
+  double longest = 0, largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double low = std::min(std::min(a[k], b[k]), std::min(c[k], d[k]));
+    const double high = std::max(std::max(a[k], b[k]), std::max(c[k], d[k]));
+    longest = std::max(longest, high - low);
+    largest = std::max(largest, std::max(high, -low));
+  }
+  Multiples multiples(longest, largest);
+  if (!multiples.scalable()) return std::nullopt;
+  std::array<Integer, 3> p, q, r;
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const Integer start = multiples(a[k]);
+    p[i] = multiples(d[k]) - start;
+    q[i] = multiples(b[k]) - start;
+    r[i] = multiples(c[k]) - start;
+  }
+  if (!multiples.all_whole()) return std::nullopt;
+  WideInteger volume = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    volume += p[i] * (WideInteger{q[j]} * r[k] - WideInteger{q[k]} * r[j]);
+  }
+  return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+}
+
 }  // namespace contact::difference_detail

@@ -107,7 +107,7 @@ inline Bounded bounded_orientation(const Vector2<double>& a, const Vector2<doubl
 ///
 /// The differences are exact as pairs of doubles, and these are scaled to integers, of which the
 /// determinant is computed without error. `Exact` decides about numbers that span more than 112
-/// bits bits and those at the ends of the range of double.
+/// bits and those at the ends of the range of double.
 [[gnu::noinline]] inline int orient_2d_in_doubt(const Vector2<double>& a, const Vector2<double>& b,
                                                 const Vector2<double>& c) {
   difference_detail::Differences<4> numbers;
@@ -138,10 +138,12 @@ inline int orient_2d(const Vector2<double>& a, const Vector2<double>& b, const V
 // [/filter-2d]
 
 /// Decides what the filter could not: on which side of the plane a, b, c the point d is. As
-/// `orient_2d_in_doubt`.
+/// `orient_2d_in_doubt`, after an attempt with whole multiples of a unit, which is faster.
 [[gnu::noinline]] inline int orient_3d_in_doubt(const Vector3<double>& a, const Vector3<double>& b,
                                                 const Vector3<double>& c,
                                                 const Vector3<double>& d) {
+  const std::optional<int> of_whole = difference_detail::whole_volume_sign(a, b, c, d);
+  if (of_whole) return *of_whole;
   difference_detail::Differences<9> numbers;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
