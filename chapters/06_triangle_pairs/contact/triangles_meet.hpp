@@ -28,7 +28,7 @@ inline Vertices six_vertices(const Triangle<double>& first, const Triangle<doubl
   return {first.a, first.b, first.c, second.a, second.b, second.c};
 }
 
-/// The decision where the filter of `triangles_meet` was in doubt.
+/// The decision where the filter of `triangles_meet` was in doubt about many signs.
 ///
 /// A vertex in common is a common point, so it needs no sign. Otherwise all signs are computed in
 /// integers: small ones if all coordinates are multiples of one unit and not too many of it, larger
@@ -51,6 +51,51 @@ inline Vertices six_vertices(const Triangle<double>& first, const Triangle<doubl
   return Decision(vertices, Filtered{vertices}).meet();
 }
 
+/// Two triangles of which neither is on one side of the plane of the other, or in it. A volume is
+/// computed exactly if it is in doubt.
+inline bool meet_crossing(const Triangle<double>& t, const Triangle<double>& u,
+                          const pair_orientations_detail::Apex& of_t,
+                          const pair_orientations_detail::Apex& of_u, double bound) {
+  using Vertex = const Vector3<double>*;
+  using pair_orientations_detail::Ordered;
+  return intervals_overlap(Ordered<Vertex>{&t.a, &t.b, &t.c}, Ordered<Vertex>{&u.a, &u.b, &u.c},
+                           of_t, of_u, [bound](Vertex a, Vertex b, Vertex c, Vertex d) {
+                             const double volume = signed_volume<double>(*a, *b, *c, *d);
+                             if (std::abs(volume) > bound) return volume > 0 ? 1 : -1;
+                             return orient_3d_in_doubt(*a, *b, *c, *d);
+                           });
+}
+
+/// The decision if the height of a vertex above the plane of the other triangle is in doubt. Up to
+/// two such heights are computed exactly, one by one. Triangles that are in one plane or have no
+/// area have at least three.
+/// @param heights of the vertices of t, then of those of u; with a vertex that is NaN, at least
+/// three are NaN
+[[gnu::noinline]] inline bool meet_touching(const Triangle<double>& t, const Triangle<double>& u,
+                                            const std::array<double, 6>& heights, double bound) {
+  using namespace pair_orientations_detail;
+  const auto certain = [bound](double height) { return std::abs(height) > bound; };
+  if (std::count_if(heights.begin(), heights.end(), certain) < 4) {
+    return meet_in_doubt(t, u, bound);
+  }
+  const std::array<const Vector3<double>*, 6> v{&t.a, &t.b, &t.c, &u.a, &u.b, &u.c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 3; j < 6; ++j) {
+      if (*v[i] == *v[j]) return true;
+    }
+  }
+  std::array<int, 6> signs;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t plane = i < 3 ? 3 : 0;
+    signs[i] = certain(heights[i])
+                   ? (heights[i] > 0 ? 1 : -1)
+                   : orient_3d_in_doubt(*v[plane], *v[plane + 1], *v[plane + 2], *v[i]);
+  }
+  const Sides of_t{signs[0], signs[1], signs[2]}, of_u{signs[3], signs[4], signs[5]};
+  if (on_one_side(of_t) || on_one_side(of_u)) return false;
+  return meet_crossing(t, u, apex(of_t), apex(of_u), bound);
+}
+
 /// The smallest and the largest of three numbers.
 struct Range {
   double low, high;
@@ -70,7 +115,8 @@ inline pair_orientations_detail::Apex certain_apex(double a, double b, double c)
 }
 
 // [filter]
-/// The decision in double, with one bound for all signs of a pair, or the exact one.
+/// The decision in double, with one bound for all signs of a pair, and exact signs where it does
+/// not decide.
 ///
 /// The bound: all determinants are of differences of vertices, of which none is larger than the
 /// common box, whose sides are x, y and z. Each of the six terms of a determinant has one factor
@@ -115,19 +161,8 @@ inline bool meet_filtered(const Triangle<double>& t, const Triangle<double>& u) 
   const double ua = height(nt, t.a, u.a), ub = height(nt, t.a, u.b), uc = height(nt, t.a, u.c);
   if (one_side(ua, ub, uc)) return false;
   const bool of_t = smallest(ta, tb, tc) > bound, of_u = smallest(ua, ub, uc) > bound;
-  if (!of_t || !of_u) return meet_in_doubt(t, u, bound);
-
-  using Vertex = const Vector3<double>*;
-  bool doubt = false;
-  const bool meet =
-      intervals_overlap(Ordered<Vertex>{&t.a, &t.b, &t.c}, Ordered<Vertex>{&u.a, &u.b, &u.c},
-                        certain_apex(ta, tb, tc), certain_apex(ua, ub, uc),
-                        [bound, &doubt](Vertex a, Vertex b, Vertex c, Vertex d) {
-                          const double volume = signed_volume<double>(*a, *b, *c, *d);
-                          doubt = doubt || !(std::abs(volume) > bound);
-                          return volume > 0 ? 1 : -1;
-                        });
-  return doubt ? meet_in_doubt(t, u, bound) : meet;
+  if (!of_t || !of_u) return meet_touching(t, u, {ta, tb, tc, ua, ub, uc}, bound);
+  return meet_crossing(t, u, certain_apex(ta, tb, tc), certain_apex(ua, ub, uc), bound);
 }
 // [/filter]
 
