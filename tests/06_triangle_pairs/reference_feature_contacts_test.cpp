@@ -356,6 +356,22 @@ TEST_CASE("a box that lands on a box touches with four vertices, and no diagonal
   for (const auto& c : first->contacts) CHECK(c.position.z() == 4);
 }
 
+TEST_CASE("boxes of any size and position touch with their faces, at a time that is rounded") {
+  Random random(29);
+  for (int i = 0; i < generators::tried(400); ++i) {
+    const auto box = [&random](double x) {
+      const Vector3<double> low(x + random.uniform(), -random.uniform(), -random.uniform());
+      return contact::box_mesh(
+          low, Vector3<double>(random.uniform(x + 1, x + 2), random.uniform(), random.uniform()));
+    };
+    const auto first = contact::first_contact(box(-4), {random.uniform(5, 9), 0, 0}, box(0));
+    REQUIRE(first);
+    REQUIRE(first->apart_at_start);
+    REQUIRE(!first->realised_by.empty());
+    REQUIRE(count_kind(first->contacts, ContactKind::face_face) == 1);
+  }
+}
+
 TEST_CASE("all six kinds occur when a box lands on another flush with two of its sides") {
   const auto first = contact::first_contact(contact::box_mesh({0, 0, 5}, {3, 2, 6}), {0, 0, -2},
                                             contact::box_mesh({0, 0, 0}, {4, 4, 4}));

@@ -150,12 +150,21 @@ TEMPLATE_TEST_CASE("the rounded distance is close to the exact one", "", float, 
 }
 
 TEST_CASE("distances from 1e-150 to 1e150 neither vanish nor become NaN") {
-  const Triangle<double> s{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, t{{0, 0, 2}, {1, 0, 2}, {0, 1, 3}};
-  for (int e = -500; e <= 500; e += 50) {
-    const double f = std::ldexp(1.0, e);
-    const auto got = contact::nearest_of_triangles<double>({s.a * f, s.b * f, s.c * f},
-                                                           {t.a * f, t.b * f, t.c * f});
-    CHECK(got.squared_distance == std::ldexp(4.0, 2 * e));
+  // A vertex over a face; two edges.
+  const Triangle<double> s{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::array<Triangle<double>, 2> others{
+      Triangle<double>{{0.25, 0.25, 2}, {1, 0, 3}, {0, 1, 3}},
+      Triangle<double>{{0.5, -1, 1}, {0.5, 1, 2}, {0.5, -1, 3}}};
+  for (const Triangle<double>& t : others) {
+    const auto right = contact::nearest_of_triangles(s, t);
+    for (int e = -500; e <= 500; e += 50) {
+      const double f = std::ldexp(1.0, e);
+      const auto got = contact::nearest_of_triangles<double>({s.a * f, s.b * f, s.c * f},
+                                                             {t.a * f, t.b * f, t.c * f});
+      CHECK(got.squared_distance == std::ldexp(right.squared_distance, 2 * e));
+      CHECK(got.on_first == right.on_first * f);
+      CHECK(got.kind == right.kind);
+    }
   }
   constexpr double huge = std::numeric_limits<double>::max();
   const auto far = contact::nearest_of_triangles<double>({{huge, 0, 0}, {huge, 1, 0}, {huge, 0, 1}},
