@@ -49,6 +49,7 @@ struct Output {
   // For readers' functions that take whole numbers: everything in eighths of a metre.
   double meet;
   double steps_clear;  // 1 if all are whole, and the triangles have areas and two planes
+  double plane_clear;  // 1 if all are whole, and the triangles have areas and one plane
   double edges_touch;  // 1 if u0 u1 and v0 v1 meet and are not parallel
   double edges_clear;  // 1 if all are whole, and v2 is not in the plane of the two edges
   double edges_touch_clear;
@@ -208,7 +209,9 @@ void compute_whole(const Input& in, Output& out) {
   }
   const bool have_areas = (a.b - a.a).cross(a.c - a.a) != Vector::Zero() &&
                           (b.b - b.a).cross(b.c - b.a) != Vector::Zero();
-  out.steps_clear = have_areas && sides(a, b) != Signs{} ? 1 : 0;
+  const bool in_one_plane = sides(a, b) == Signs{};
+  out.steps_clear = have_areas && !in_one_plane ? 1 : 0;
+  out.plane_clear = have_areas && in_one_plane ? 1 : 0;
   touch_edges(a, b, out);
 }
 
@@ -235,4 +238,5 @@ FIGURE(Input, FIELDS(u0, u1, u2, v0, v1, v2, single, divided), Output,
        FIELDS(problem, d_of_u, d_of_v, side_of_u, side_of_v, ends_of_u, ends_of_v, on_line_u,
               on_line_v, crossing_planes, line_at, line_along, decided_in, says, wrong, common,
               points, point, moved_says, moved_wrong, moved_wrong_in_all, steps_wrong, meet,
-              steps_clear, edges_touch, edges_clear, edges_touch_clear, edges_at, edges_normal))
+              steps_clear, plane_clear, edges_touch, edges_clear, edges_touch_clear, edges_at,
+              edges_normal))

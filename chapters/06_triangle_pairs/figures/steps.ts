@@ -2,7 +2,6 @@
 // answers of several methods, also for the first triangle moved by a few ulps.
 
 import {
-  along,
   defineFigure,
   floatOrDouble,
   type Role,
@@ -108,13 +107,13 @@ export default defineFigure<Input, Output>({
   title: "Do two triangles meet?",
   view: {
     kind: "3d",
-    target: [0, 0, -0.45],
+    target: [0, 0, -0.6],
     azimuth: -66,
     elevation: 16,
-    span: 4.5,
+    span: 4.4,
     ground: { half: 2.5, z: -1.5, step: 0.5 },
   },
-  aspect: 0.92,
+  aspect: 0.82,
   initial: { ...CROSSING, single: 0, divided: 1 },
   handles: [
     point("v0", "v0, vertex of T2", "b"),
@@ -141,7 +140,7 @@ export default defineFigure<Input, Output>({
         },
         {
           label: "apart on the line",
-          fields: { ...FRONT, u0: [1, -0.75, 0.75], u1: [1.5, 0.75, -0.25], u2: [2, -0.25, 1] },
+          fields: { ...FRONT, u0: [1, -0.75, 0.75], u1: [1.5, 0.75, -0.25], u2: [1.75, -0.25, 1] },
         },
         {
           label: "a vertex touches",
@@ -197,13 +196,13 @@ export default defineFigure<Input, Output>({
     const { u0, u1, u2, v0, v1, v2 } = input;
     scene.face([v0, v1, v2], { role: "b", fill: 0.18, hides: true });
     scene.face([u0, u1, u2], { role: "a", fill: 0.22, hides: true });
-    const middle = along(along(u0, u1, 0.5), along(v0, v1, 0.5), 0.5);
+    const middle = [u0, v0].map(([, , z], i) => (z + (i ? v1 : u1)[2] + (i ? v2 : u2)[2]) / 3);
     const signs = output.problem ? [] : [...output.side_of_u, ...output.side_of_v];
     for (const [i, at] of [u0, u1, u2, v0, v1, v2].entries()) {
       const name = `${i < 3 ? "u" : "v"}_${i % 3}`;
       scene.label(at, signs.length ? `${name} ${sign(signs[i])}` : name, {
         role: i < 3 ? "a" : "b",
-        offset: [0, at[2] > middle[2] ? -17 : 27],
+        offset: [0, at[2] > (middle[i < 3 ? 0 : 1] ?? 0) ? -17 : 27],
         anchor: "middle",
       });
     }
@@ -250,8 +249,8 @@ export default defineFigure<Input, Output>({
       }),
     ),
     { name: "common", meaning: "points of both", value: COMMON[output.common] ?? "" },
-    { name: "d_i", meaning: "of u, plane of T₂", value: output.d_of_u, role: "a" },
-    { name: "d_i", meaning: "of v, plane of T₁", value: output.d_of_v, role: "b" },
+    { name: "d_i", meaning: "of the u", value: output.d_of_u, role: "a" },
+    { name: "d_i", meaning: "of the v", value: output.d_of_v, role: "b" },
   ],
   describe(_input, output) {
     const wrong = METHODS.filter((_, m) => output.wrong[m]);
