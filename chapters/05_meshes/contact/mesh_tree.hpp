@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <concepts>
 #include <contact/aabb.hpp>
+#include <contact/box_quads.hpp>
 #include <contact/box_tree.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/invalid_argument.hpp>
@@ -17,6 +18,7 @@
 #include <contact/wide_tree.hpp>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +66,7 @@ class MeshTree {
     }
     tree_ = build_box_hierarchy<S>(boxes, items, max_leaf);
     wide_ = detail::WideTree(tree_);
+    quads_ = detail::BoxQuads(tree_, std::span<const Aabb<S>>(boxes));
     triangles_.reserve(tree_.order.size());
     for (const int i : tree_.order) {
       triangles_.push_back(triangle_of(mesh_, static_cast<std::size_t>(i)));
@@ -74,6 +77,8 @@ class MeshTree {
   const Mesh<S>& mesh() const { return mesh_; }
   /// The tree of boxes; its items are the triangles.
   const BoxHierarchy<S>& boxes() const { return tree_; }
+  /// The same for pairs of meshes, with the boxes of single triangles.
+  const detail::BoxQuads& quads() const { return quads_; }
   /// The triangles in the order of the tree: number i is triangle boxes().order[i] of the mesh.
   const std::vector<Triangle<S>>& ordered_triangles() const { return triangles_; }
 
@@ -155,6 +160,7 @@ class MeshTree {
   Mesh<S> mesh_;
   BoxHierarchy<S> tree_;
   detail::WideTree wide_;
+  detail::BoxQuads quads_;
   std::vector<Triangle<S>> triangles_;  ///< in the order of the tree
 
   /// Calls each(found, latest) for the triangles that the line meets, about from front to back;

@@ -20,10 +20,24 @@ namespace contact {
 
 namespace detail {
 
+/// The planes of four boxes: [low, high][axis][box]. An empty box has low > high.
+using FourBoxes = std::array<std::array<std::array<float, 4>, 3>, 2>;
+
+/// Four empty boxes.
+constexpr FourBoxes no_boxes() {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  FourBoxes boxes{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    boxes[0][k] = {infinity, infinity, infinity, infinity};
+    boxes[1][k] = {-infinity, -infinity, -infinity, -infinity};
+  }
+  return boxes;
+}
+
 // [wide-node]
-/// Four boxes and what is in them. An empty one has low > high.
+/// Four boxes and what is in them.
 struct alignas(64) WideNode {
-  std::array<std::array<std::array<float, 4>, 3>, 2> planes;  ///< [low, high][axis][box]
+  FourBoxes planes;
   std::array<int, 4> first;  ///< a node, or the first position of a leaf
   std::array<int, 4> count;  ///< positions in a leaf; 0 for a node
 };
@@ -35,6 +49,33 @@ struct WideFrame {
   Vector3<double> centre = Vector3<double>::Zero();
   double scale = 1;
   int exponent = 0;  ///< scale = 2^−exponent
+
+  WideFrame() = default;
+  template <FloatOrDouble S>
+  explicit WideFrame(const Aabb<S>& root) {
+    const Vector3<double> low = root.low.template cast<double>() / 2;
+    const Vector3<double> high = root.high.template cast<double>() / 2;
+    centre = low + high;
+    const double size = (high - low).maxCoeff();
+    // The centre is rounded, by as much as half of the size at most.
+    exponent = size > 0 ? std::max(std::ilogb(size) + 2, -1000) : -1000;
+    scale = std::ldexp(1.0, -exponent);
+  }
+
+  /// A plane in the frame, rounded to a float outwards: the value in double is off by u of itself,
+  /// the float by another 2^-24.
+  float outwards(double x, int k, int side) const {
+    const double there = (x - centre[k]) * scale;
+    return static_cast<float>(there + side * (0x1p-23 * std::abs(there) + 0x1p-80));
+  }
+  /// Writes a box as number i of four, rounded outwards.
+  template <FloatOrDouble S>
+  void put(FourBoxes& boxes, std::size_t i, const Aabb<S>& box) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      boxes[0][k][i] = outwards(box.low[int(k)], int(k), -1);
+      boxes[1][k][i] = outwards(box.high[int(k)], int(k), 1);
+    }
+  }
 };
 
 // [wide-line]
@@ -119,6 +160,40 @@ WideLine wide_line(const Line& line, const WideFrame& frame) {
 }
 // [/wide-line]
 
+/// Up to four nodes that have the same items as one.
+struct Descendants {
+  std::array<std::size_t, 4> node{};
+  std::size_t count = 0;
+};
+
+/// The children of a node, of which that with the largest surface is replaced by its own, twice;
+/// or the node itself if it is a leaf.
+template <FloatOrDouble S>
+Descendants four_descendants(const BoxHierarchy<S>& tree, std::size_t root, double scale) {
+  Descendants below{{root}, 1};
+  const auto surface = [&](std::size_t n) {
+    const Vector3<double> size =
+        ((tree.nodes[n].box.high - tree.nodes[n].box.low).template cast<double>()) * scale;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  };
+  while (below.count < 4) {
+    std::size_t widest = 4;
+    double most = -1;
+    for (std::size_t i = 0; i < below.count; ++i) {
+      const std::size_t n = below.node[i];
+      if (tree.nodes[n].count == 0 && surface(n) > most) {
+        most = surface(n);
+        widest = i;
+      }
+    }
+    if (widest == 4) break;
+    const auto child = static_cast<std::size_t>(tree.nodes[below.node[widest]].first);
+    below.node[widest] = child;
+    below.node[below.count++] = child + 1;
+  }
+  return below;
+}
+
 /// A tree of wide nodes over the positions of a BoxHierarchy, of which it shares the order.
 class WideTree {
  public:
@@ -127,13 +202,7 @@ class WideTree {
   template <FloatOrDouble S>
   explicit WideTree(const BoxHierarchy<S>& tree) {
     if (tree.nodes.empty()) return;
-    const Vector3<double> low = tree.nodes[0].box.low.template cast<double>() / 2;
-    const Vector3<double> high = tree.nodes[0].box.high.template cast<double>() / 2;
-    frame_.centre = low + high;
-    const double size = (high - low).maxCoeff();
-    // The centre is rounded, by as much as half of the size at most.
-    frame_.exponent = size > 0 ? std::max(std::ilogb(size) + 2, -1000) : -1000;
-    frame_.scale = std::ldexp(1.0, -frame_.exponent);
+    frame_ = WideFrame(tree.nodes[0].box);
     nodes_.reserve(tree.nodes.size() / 4 + 1);
     add(tree, 0);
   }
@@ -218,61 +287,21 @@ class WideTree {
   }
   // [/wide-times]
 
-  /// Adds the node for four descendants of an inner node: the children, of which that with the
-  /// largest surface is replaced by its own, twice.
+  /// Adds the node for four descendants of an inner node.
   template <FloatOrDouble S>
   int add(const BoxHierarchy<S>& tree, std::size_t root) {
-    std::array<std::size_t, 4> boxes{root};
-    std::size_t count = 1;
-    const auto surface = [&](std::size_t n) {
-      const Vector3<double> size =
-          ((tree.nodes[n].box.high - tree.nodes[n].box.low).template cast<double>()) * frame_.scale;
-      return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-    };
-    while (count < 4) {
-      std::size_t widest = 4;
-      double most = -1;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (tree.nodes[boxes[i]].count == 0 && surface(boxes[i]) > most) {
-          most = surface(boxes[i]);
-          widest = i;
-        }
-      }
-      if (widest == 4) break;
-      const auto child = static_cast<std::size_t>(tree.nodes[boxes[widest]].first);
-      boxes[widest] = child;
-      boxes[count++] = child + 1;
-    }
+    const Descendants below = four_descendants(tree, root, frame_.scale);
     const std::size_t at = nodes_.size();
     nodes_.emplace_back();
-    WideNode node;
-    for (std::size_t i = 0; i < 4; ++i) {
-      node.first[i] = node.count[i] = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        constexpr float infinity = std::numeric_limits<float>::infinity();
-        node.planes[0][k][i] = infinity;
-        node.planes[1][k][i] = -infinity;
-        if (i < count) {
-          const Aabb<S>& box = tree.nodes[boxes[i]].box;
-          node.planes[0][k][i] = outwards(box.low[int(k)], int(k), -1);
-          node.planes[1][k][i] = outwards(box.high[int(k)], int(k), 1);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const BoxNode<S>& below = tree.nodes[boxes[i]];
-      node.count[i] = below.count;
-      node.first[i] = below.count > 0 ? below.first : add(tree, boxes[i]);
+    WideNode node{no_boxes(), {}, {}};
+    for (std::size_t i = 0; i < below.count; ++i) {
+      const BoxNode<S>& child = tree.nodes[below.node[i]];
+      frame_.put(node.planes, i, child.box);
+      node.count[i] = child.count;
+      node.first[i] = child.count > 0 ? child.first : add(tree, below.node[i]);
     }
     nodes_[at] = node;
     return static_cast<int>(at);
-  }
-
-  /// A plane in the frame, rounded to a float outwards: the value in double is off by u of itself,
-  /// the float by another 2^-24.
-  float outwards(double x, int k, int side) const {
-    const double there = (x - frame_.centre[k]) * frame_.scale;
-    return static_cast<float>(there + side * (0x1p-23 * std::abs(there) + 0x1p-80));
   }
 };
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <compare>
 #include <contact/aabb.hpp>
-#include <contact/box_tree.hpp>
+#include <contact/box_quads.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/mesh.hpp>
 #include <contact/mesh_tree.hpp>
@@ -18,6 +18,7 @@
 #include <contact/triangles_meet.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -34,118 +35,17 @@ struct TrianglePair {
 
 /// How many pairs were compared.
 struct PairCounts {
-  std::size_t boxes = 0;      ///< pairs of boxes, also of triangles with boxes and with triangles
-  std::size_t triangles = 0;  ///< pairs of triangles whose boxes touch
+  std::size_t boxes = 0;      ///< pairs of boxes, also those of single triangles
+  std::size_t triangles = 0;  ///< pairs of triangles whose boxes touch, or by a tree nearly do
 };
 // [/triangle-pair]
 
 namespace mesh_pairs_detail {
 
-/// A pair of nodes of two trees.
-struct NodePair {
-  int of_first, of_second;
-  int depth;  ///< how many nodes were opened above it
-};
-
-/// Half of the surface of a box. An overflow makes it infinite.
-template <FloatOrDouble S>
-S half_surface(const Aabb<S>& box) {
-  const Vector3<S> size = box.high - box.low;
-  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-}
-
-/// Which of two nodes to open, if not both are leaves: the one with the larger box.
-template <FloatOrDouble S>
-bool opens_first(const BoxNode<S>& a, const BoxNode<S>& b) {
-  if (a.count > 0 || b.count > 0) return b.count > 0;
-  return half_surface(a.box) > half_surface(b.box);
-}
-
-/// The same as boxes_touch, without a branch to mispredict.
-template <FloatOrDouble S>
-bool touch(const Aabb<S>& a, const Aabb<S>& b) {
-  int apart = 0;
-  for (int k = 0; k < 3; ++k) apart |= int(a.high[k] < b.low[k]) | int(b.high[k] < a.low[k]);
-  return apart == 0;
-}
-
 template <FloatOrDouble S>
 Aabb<S> box_of(const Triangle<S>& t) {
   return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
 }
-
-/// Pairs of nodes that wait to be opened. The last one is next, as in every search in depth. But
-/// each time that an eighth more leaves has been visited, it is one of the least depth, which is
-/// large and far from there. So a search for any pair does not stay where there is none.
-class WaitingPairs {
- public:
-  bool empty() const { return pairs_.empty(); }
-  void add(const NodePair& pair) { pairs_.push_back(pair); }
-  NodePair take() {
-    if (leaves_ >= next_change_) {
-      next_change_ += 1 + leaves_ / 8;
-      const auto shallow =
-          std::min_element(pairs_.begin(), pairs_.end(),
-                           [](const NodePair& p, const NodePair& q) { return p.depth < q.depth; });
-      std::iter_swap(shallow, pairs_.end() - 1);
-    }
-    const NodePair pair = pairs_.back();
-    pairs_.pop_back();
-    return pair;
-  }
-  /// Says that a pair of leaves was visited.
-  void count_leaf() { ++leaves_; }
-
- private:
-  std::vector<NodePair> pairs_;
-  std::size_t leaves_ = 0, next_change_ = 1;
-};
-
-template <FloatOrDouble S>
-const BoxNode<S>& node(const BoxHierarchy<S>& tree, int i) {
-  return tree.nodes[static_cast<std::size_t>(i)];
-}
-
-// [visit-leaves]
-/// Calls visit(x, y) for each pair of leaves of two trees whose boxes touch, as `BoxNode<S>`, until
-/// it returns true: a simultaneous traversal.
-///
-/// It starts with both roots. If two boxes are apart, nothing below the one touches anything below
-/// the other. If they touch, the larger one is opened, and its children are compared with the
-/// other. A tree with itself: each pair of leaves once, and each leaf with itself.
-/// @param compared the number of pairs of boxes compared is added to it
-/// @return whether visit stopped
-template <FloatOrDouble S, class Visit>
-bool visit_touching_leaves(const BoxHierarchy<S>& a, const BoxHierarchy<S>& b, const Visit& visit,
-                           std::size_t& compared) {
-  if (a.nodes.empty() || b.nodes.empty()) return false;
-  WaitingPairs waiting;
-  const auto compare = [&](int i, int j, int depth) {
-    ++compared;
-    if (touch(node(a, i).box, node(b, j).box)) waiting.add({i, j, depth});
-  };
-  compare(0, 0, 0);
-  while (!waiting.empty()) {
-    const auto [i, j, depth] = waiting.take();
-    const BoxNode<S>&x = node(a, i), &y = node(b, j);
-    if (x.count > 0 && y.count > 0) {
-      if (visit(x, y)) return true;
-      waiting.count_leaf();
-    } else if (&x == &y) {
-      waiting.add({x.first, x.first, depth + 1});
-      waiting.add({x.first + 1, x.first + 1, depth + 1});
-      compare(x.first, x.first + 1, depth + 1);
-    } else if (opens_first(x, y)) {
-      compare(x.first, j, depth + 1);
-      compare(x.first + 1, j, depth + 1);
-    } else {
-      compare(i, y.first, depth + 1);
-      compare(i, y.first + 1, depth + 1);
-    }
-  }
-  return false;
-}
-// [/visit-leaves]
 
 /// Adds to counts that are asked for.
 inline void add(PairCounts* counts, const PairCounts& done) {
@@ -154,58 +54,32 @@ inline void add(PairCounts* counts, const PairCounts& done) {
   counts->triangles += done.triangles;
 }
 
-/// The triangles of a leaf whose boxes touch another box, by their positions.
-template <FloatOrDouble S>
-struct LeafPart {
-  std::array<int, MeshTree<S>::max_leaf> at;
-  std::array<Aabb<S>, MeshTree<S>::max_leaf> box;
-  std::size_t count = 0;
-
-  LeafPart(const MeshTree<S>& tree, const BoxNode<S>& leaf, const Aabb<S>& other) {
-    for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      at[count] = i;
-      box[count] = box_of(tree.ordered_triangles()[static_cast<std::size_t>(i)]);
-      count += touch(box[count], other) ? 1 : 0;
-    }
-  }
-};
-
-/// Calls each(i, j) for the positions of triangles in two leaves whose boxes touch and for which
-/// `meet` is true of the triangles, until it returns true. A leaf with itself: i < j.
+/// Calls each(pair) for the pairs of triangles of two trees for which `meet` is true, in some
+/// order, until it returns true. A tree with itself: each pair once.
 template <FloatOrDouble S, class Meet, class Each>
-bool each_of_leaves(const MeshTree<S>& a, const BoxNode<S>& x, const MeshTree<S>& b,
-                    const BoxNode<S>& y, PairCounts& done, const Meet& meet, const Each& each) {
-  const LeafPart<S> part_of_x(a, x, y.box), part_of_y(b, y, x.box);
-  done.boxes += static_cast<std::size_t>(x.count + y.count) + part_of_x.count * part_of_y.count;
-  for (std::size_t k = 0; k < part_of_x.count; ++k) {
-    const int i = part_of_x.at[k];
-    const Triangle<S>& s = a.ordered_triangles()[static_cast<std::size_t>(i)];
-    for (std::size_t l = &x == &y ? k + 1 : 0; l < part_of_y.count; ++l) {
-      if (!touch(part_of_x.box[k], part_of_y.box[l])) continue;
-      const int j = part_of_y.at[l];
-      ++done.triangles;
-      if (meet(s, b.ordered_triangles()[static_cast<std::size_t>(j)]) && each(i, j)) return true;
-    }
-  }
-  return false;
+bool each_pair(const MeshTree<S>& a, const MeshTree<S>& b, PairCounts* counts, const Meet& meet,
+               const Each& each) {
+  if (a.quads().empty() || b.quads().empty()) return false;
+  PairCounts done;
+  const auto visit = [&](int k, int l) {
+    const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>(l);
+    ++done.triangles;
+    return meet(a.ordered_triangles()[i], b.ordered_triangles()[j]) &&
+           each(TrianglePair{a.boxes().order[i], b.boxes().order[j]});
+  };
+  ++done.boxes;
+  const bool stopped = boxes_touch(a.boxes().nodes[0].box, b.boxes().nodes[0].box) &&
+                       detail::visit_touching(a.quads(), b.quads(), visit, done.boxes);
+  add(counts, done);
+  return stopped;
 }
 
 /// Calls each(pair) for the pairs of triangles that meet, in some order, until it returns true.
 template <FloatOrDouble S, class Each>
 bool each_meeting(const MeshTree<S>& a, const MeshTree<S>& b, PairCounts* counts,
                   const Each& each) {
-  PairCounts done;
   const auto meet = [](const Triangle<S>& s, const Triangle<S>& t) { return triangles_meet(s, t); };
-  const auto report = [&](int i, int j) {
-    return each(TrianglePair{a.boxes().order[static_cast<std::size_t>(i)],
-                             b.boxes().order[static_cast<std::size_t>(j)]});
-  };
-  const auto visit = [&](const BoxNode<S>& x, const BoxNode<S>& y) {
-    return each_of_leaves(a, x, b, y, done, meet, report);
-  };
-  const bool stopped = visit_touching_leaves<S>(a.boxes(), b.boxes(), visit, done.boxes);
-  add(counts, done);
-  return stopped;
+  return each_pair(a, b, counts, meet, each);
 }
 
 /// The boxes of the finite triangles, with their numbers.
@@ -245,6 +119,16 @@ bool each_meeting(const Mesh<S>& a, const Mesh<S>& b, PairCounts* counts, const 
   return stopped;
 }
 
+/// Sorts pairs; both numbers as one are compared faster.
+inline void sort(std::vector<TrianglePair>& pairs) {
+  const auto number = [](const TrianglePair& pair) {
+    return std::uint64_t(std::uint32_t(pair.of_first)) << 32 | std::uint32_t(pair.of_second);
+  };
+  std::sort(pairs.begin(), pairs.end(), [&number](const TrianglePair& p, const TrianglePair& q) {
+    return number(p) < number(q);
+  });
+}
+
 /// All pairs that meet, sorted.
 template <class Meshes>
 std::vector<TrianglePair> sorted_pairs(const Meshes& a, const Meshes& b, PairCounts* counts) {
@@ -253,7 +137,7 @@ std::vector<TrianglePair> sorted_pairs(const Meshes& a, const Meshes& b, PairCou
     pairs.push_back(pair);
     return false;
   });
-  std::sort(pairs.begin(), pairs.end());
+  sort(pairs);
   return pairs;
 }
 
@@ -300,21 +184,33 @@ bool any_meeting(const MeshTree<S>& a, const MeshTree<S>& b, PairCounts* counts 
 
 namespace mesh_pairs_detail {
 
-/// Whether a vertex of t is one of s.
-template <FloatOrDouble S>
-bool is_vertex_of(const Triangle<S>& s, const Vector3<S>& v) {
-  return v == s.a || v == s.b || v == s.c;
-}
+/// Which vertices two triangles share, because they are at equal positions.
+struct SharedVertices {
+  std::array<bool, 3> of_first{}, of_second{};
+  bool any = false;
 
-/// Whether the vertices of t that are not of s are all on one side of its plane. Then t has no more
-/// in common with the plane than the vertex or the edge that the triangles share.
+  template <FloatOrDouble S>
+  SharedVertices(const Triangle<S>& s, const Triangle<S>& t) {
+    const std::array<const Vector3<S>*, 3> p{&s.a, &s.b, &s.c}, q{&t.a, &t.b, &t.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (p[i]->x() != q[j]->x() || p[i]->y() != q[j]->y() || p[i]->z() != q[j]->z()) continue;
+        any = of_first[i] = of_second[j] = true;
+      }
+    }
+  }
+};
+
+/// Whether the vertices of t that are not shared with s are all on one side of its plane. Then t
+/// has no more in common with the plane than the vertex or the edge that the triangles share.
 template <FloatOrDouble S>
-bool leaves_plane(const Triangle<S>& s, const Triangle<S>& t) {
-  const Triangle<double> plane = in_double(s);
+bool leaves_plane(const Triangle<S>& s, const Triangle<S>& t, const std::array<bool, 3>& shared) {
+  const Triangle<double> plane = in_double(s), other = in_double(t);
   int side = 0;
-  for (const Vector3<S>* v : {&t.a, &t.b, &t.c}) {
-    if (is_vertex_of(s, *v)) continue;
-    const int of_v = orient_3d(plane.a, plane.b, plane.c, v->template cast<double>());
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (shared[i]) continue;
+    const Vector3<double>& v = i == 0 ? other.a : (i == 1 ? other.b : other.c);
+    const int of_v = orient_3d(plane.a, plane.b, plane.c, v);
     if (of_v == 0 || of_v * side < 0) return false;
     side = of_v;
   }
@@ -328,10 +224,9 @@ bool leaves_plane(const Triangle<S>& s, const Triangle<S>& t) {
 /// spanned by shared vertices: then it is one of them, an edge between two, or an area.
 template <FloatOrDouble S>
 bool meet_beyond_shared(const Triangle<S>& s, const Triangle<S>& t) {
-  if (!is_vertex_of(s, t.a) && !is_vertex_of(s, t.b) && !is_vertex_of(s, t.c)) {
-    return triangles_meet(s, t);
-  }
-  if (leaves_plane(s, t) || leaves_plane(t, s)) return false;
+  const SharedVertices shared(s, t);
+  if (!shared.any) return triangles_meet(s, t);
+  if (leaves_plane(s, t, shared.of_second) || leaves_plane(t, s, shared.of_first)) return false;
   const TriangleIntersection<S> common = intersect_triangles(s, t);
   if (common.kind == CommonPoints::area) return true;
   return std::any_of(common.points.begin(), common.points.begin() + common.count,
@@ -361,19 +256,12 @@ std::vector<TrianglePair> self_meeting_triangles(const MeshTree<S>& tree,
                                                  PairCounts* counts = nullptr) {
   using namespace mesh_pairs_detail;
   std::vector<TrianglePair> pairs;
-  PairCounts done;
-  const auto report = [&](int i, int j) {
-    const auto [low, high] = std::minmax({tree.boxes().order[static_cast<std::size_t>(i)],
-                                          tree.boxes().order[static_cast<std::size_t>(j)]});
+  each_pair(tree, tree, counts, meet_beyond_shared<S>, [&pairs](const TrianglePair& pair) {
+    const auto [low, high] = std::minmax(pair.of_first, pair.of_second);
     pairs.push_back({low, high});
     return false;
-  };
-  const auto visit = [&](const BoxNode<S>& x, const BoxNode<S>& y) {
-    return each_of_leaves(tree, x, tree, y, done, meet_beyond_shared<S>, report);
-  };
-  visit_touching_leaves<S>(tree.boxes(), tree.boxes(), visit, done.boxes);
-  add(counts, done);
-  std::sort(pairs.begin(), pairs.end());
+  });
+  sort(pairs);
   return pairs;
 }
 /// The same of a mesh for which no tree is there yet.
