@@ -175,7 +175,10 @@ const compareMeshes = (scene) => {
     found = [];
     first.bvhcast(second, here, {
       intersectsTriangles: (one, other, i, j) => {
-        if (one.intersectsTriangle(other, null, true)) found.push(i * size + j);
+        // i and j are positions in the trees' orders.
+        if (one.intersectsTriangle(other, null, true)) {
+          found.push(first.resolveTriangleIndex(i) * size + second.resolveTriangleIndex(j));
+        }
         return false;
       },
     });
