@@ -15,10 +15,14 @@ import { makeAll } from "./pool.mjs";
 import { figureRecipe, figures, ladders } from "./products.mjs";
 import { key, made } from "./recipes.mjs";
 
-const stops = figureRecipe(inRoot("page", "wasm", "fixtures", "stops.cpp"), [
-  inRoot("chapters", "01_planes"),
-  inRoot("chapters", "00_vectors"),
-]);
+/** @param {string} name */
+const fixture = (name) =>
+  figureRecipe(inRoot("page", "wasm", "fixtures", name), [
+    inRoot("chapters", "01_planes"),
+    inRoot("chapters", "00_vectors"),
+  ]);
+const stops = fixture("stops.cpp");
+const heap = fixture("heap.cpp");
 const { loadFigure, loadLadder, Stopped } = await importLoader();
 
 // Of a third of the chapters, others in each turn. tools/page_parts.py builds these, and their native programs.
@@ -31,7 +35,7 @@ const takenLadders = ladders().filter(({ name }) => ofLadders.includes(name));
 let failed = new Map();
 before(async () => {
   const recipes = [...takenFigures, ...takenLadders].map(({ recipe }) => recipe);
-  ({ failed } = await makeAll([stops, ...recipes]));
+  ({ failed } = await makeAll([stops, heap, ...recipes]));
 });
 
 /** @param {import("./recipes.mjs").Recipe} recipe */
@@ -208,6 +212,29 @@ describe("every ladder finds the wrong answers that its native program finds", (
       }
     });
   }
+});
+
+describe("the heap of figures", () => {
+  test("blocks keep what is in them, and freed ones are used again", async () => {
+    const figure = await loadFigure(bytes(heap));
+    const { problem, overwritten, misaligned, not_zero, grown } = figure.compute({
+      rounds: [20_000],
+      huge: [1],
+    });
+    assert.deepEqual([problem, overwritten, misaligned, not_zero], [[0], [0], [0], [0]]);
+    // 200 blocks of up to 4 KiB each, and their sizes are rounded up.
+    assert.ok((grown?.[0] ?? Number.NaN) < 64, `${grown} pages`);
+    const again = figure.compute({ rounds: [20_000], huge: [1] });
+    assert.deepEqual(again["grown"], [0]);
+  });
+
+  test("a block that is too large is refused", async () => {
+    const figure = await loadFigure(bytes(heap));
+    for (const huge of [2 ** 29 + 1, 2 ** 31, 2 ** 32 - 1])
+      assert.deepEqual(figure.compute({ rounds: [10], huge: [huge] })["refused"], [1]);
+    const { refused, overwritten } = figure.compute({ rounds: [1000], huge: [1000] });
+    assert.deepEqual([refused, overwritten], [[0], [0]]);
+  });
 });
 
 describe("what stops", () => {
