@@ -26,7 +26,7 @@ using contact::MeshTree;
 using mesh_scenes::Scene;
 using peers::Found;
 
-constexpr double ms = 1e6;
+constexpr double us = 1e3, ms = 1e6;
 
 Found plain(const std::vector<contact::TrianglePair>& pairs) {
   Found found;
@@ -106,7 +106,7 @@ void compare_any(Compared& of, int runs) {
   const std::vector<Fault<bool>> faults{{"wrong", [&of](const bool& found) -> std::size_t {
                                            return found == of.scene.right.empty() ? 1 : 0;
                                          }}};
-  compare<bool>(titled(of.scene, "whether any two meet"), "ms", ms, methods, faults, runs);
+  compare<bool>(titled(of.scene, "whether any two meet"), "us", us, methods, faults, runs);
 }
 
 void compare_all(Compared& of, int runs) {
