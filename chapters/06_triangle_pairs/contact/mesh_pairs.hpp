@@ -18,7 +18,6 @@
 #include <contact/triangles_meet.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -119,25 +118,35 @@ bool each_meeting(const Mesh<S>& a, const Mesh<S>& b, PairCounts* counts, const 
   return stopped;
 }
 
-/// Sorts pairs; both numbers as one are compared faster.
-inline void sort(std::vector<TrianglePair>& pairs) {
-  const auto number = [](const TrianglePair& pair) {
-    return std::uint64_t(std::uint32_t(pair.of_first)) << 32 | std::uint32_t(pair.of_second);
-  };
-  std::sort(pairs.begin(), pairs.end(), [&number](const TrianglePair& p, const TrianglePair& q) {
-    return number(p) < number(q);
-  });
+/// Sorts pairs by one of their numbers, below n, with equal ones in the order that they have: a
+/// counting sort.
+inline void sort_by(int TrianglePair::*number, std::size_t n, std::vector<TrianglePair>& pairs) {
+  std::vector<std::size_t> next(n + 1);
+  for (const TrianglePair& pair : pairs) ++next[static_cast<std::size_t>(pair.*number) + 1];
+  for (std::size_t i = 1; i < n; ++i) next[i] += next[i - 1];
+  std::vector<TrianglePair> sorted(pairs.size());
+  for (const TrianglePair& pair : pairs) {
+    sorted[next[static_cast<std::size_t>(pair.*number)]++] = pair;
+  }
+  pairs.swap(sorted);
 }
 
-/// All pairs that meet, sorted.
+/// Sorts the pairs of two meshes with n and m triangles: many in a time that grows with their
+/// number.
+inline void sort_pairs(std::size_t n, std::size_t m, std::vector<TrianglePair>& pairs) {
+  if (pairs.size() < (n + m) / 4) return std::sort(pairs.begin(), pairs.end());
+  sort_by(&TrianglePair::of_second, m, pairs);
+  sort_by(&TrianglePair::of_first, n, pairs);
+}
+
+/// All pairs that meet, in some order.
 template <class Meshes>
-std::vector<TrianglePair> sorted_pairs(const Meshes& a, const Meshes& b, PairCounts* counts) {
+std::vector<TrianglePair> all_pairs(const Meshes& a, const Meshes& b, PairCounts* counts) {
   std::vector<TrianglePair> pairs;
   each_meeting(a, b, counts, [&pairs](const TrianglePair& pair) {
     pairs.push_back(pair);
     return false;
   });
-  sort(pairs);
   return pairs;
 }
 
@@ -158,7 +167,7 @@ std::vector<TrianglePair> sorted_pairs(const Meshes& a, const Meshes& b, PairCou
 template <FloatOrDouble S>
 std::vector<TrianglePair> meeting_triangles(const Mesh<S>& a, const Mesh<S>& b,
                                             PairCounts* counts = nullptr) {
-  return mesh_pairs_detail::sorted_pairs(a, b, counts);
+  return mesh_pairs_detail::all_pairs(a, b, counts);
 }
 /// The same list by two trees: only pairs of leaves whose boxes touch are compared.
 ///
@@ -167,7 +176,9 @@ std::vector<TrianglePair> meeting_triangles(const Mesh<S>& a, const Mesh<S>& b,
 template <FloatOrDouble S>
 std::vector<TrianglePair> meeting_triangles(const MeshTree<S>& a, const MeshTree<S>& b,
                                             PairCounts* counts = nullptr) {
-  return mesh_pairs_detail::sorted_pairs(a, b, counts);
+  std::vector<TrianglePair> pairs = mesh_pairs_detail::all_pairs(a, b, counts);
+  mesh_pairs_detail::sort_pairs(a.mesh().triangles.size(), b.mesh().triangles.size(), pairs);
+  return pairs;
 }
 
 /// Whether any triangle of a mesh meets one of another: whether the list is not empty.
@@ -261,7 +272,8 @@ std::vector<TrianglePair> self_meeting_triangles(const MeshTree<S>& tree,
     pairs.push_back({low, high});
     return false;
   });
-  sort(pairs);
+  const std::size_t n = tree.mesh().triangles.size();
+  sort_pairs(n, n, pairs);
   return pairs;
 }
 /// The same of a mesh for which no tree is there yet.
