@@ -79,16 +79,25 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
                    ladder::numbers("second triangle, c", u.c),
                    {"this method", words(got)},
                    {"exact", words(right)}};
-  // The scale is a power of two, so that nothing is rounded. A method with an ε depends on it.
+  if (method.id.starts_with("intervals") && !method.id.starts_with("intervals-epsilon")) {
+    example.note = "The figure has this method with ε only.";
+    return example;
+  }
   const double size = size_of(input);
-  const double scale = size > 8 ? std::ldexp(1.0, 2 - std::ilogb(size)) : 1;
-  if (method.id.starts_with("intervals-epsilon") && scale != 1) {
-    example.note = "The figure shows smaller triangles, for which ε would be another length.";
+  if (size < 0x1p-4) {
+    example.note = "The figure would show triangles as small as these as points.";
+    return example;
+  }
+  // The scale is a power of two, so that nothing is rounded. A method with an ε depends on it.
+  const double scale = size > 4 ? std::ldexp(1.0, 1 - std::ilogb(size)) : 1;
+  if (method.id.starts_with("intervals") && scale != 1) {
+    example.note = "The figure would show smaller triangles, for which ε is another length.";
     return example;
   }
   const Triangle<double>&v = input.first_in_double, &w = input.second_in_double;
-  const Point middle = (v.a + v.b + v.c + w.a + w.b + w.c) / 6;
-  if (middle.cwiseAbs().maxCoeff() > size / 2) {
+  const Point low = v.a.cwiseMin(v.b).cwiseMin(v.c).cwiseMin(w.a).cwiseMin(w.b).cwiseMin(w.c);
+  const Point high = v.a.cwiseMax(v.b).cwiseMax(v.c).cwiseMax(w.a).cwiseMax(w.b).cwiseMax(w.c);
+  if ((high - low).maxCoeff() < size / 16) {
     example.note = "So far from the origin, the figure would show both as one point.";
     return example;
   }
