@@ -22,7 +22,7 @@ struct Input {
   double meshes;  // 0 tori, 1 crossing boxes, 2 a box on a box, 3 a ball and a star
 };
 
-constexpr std::size_t most_vertices = 200, most_triangles = 400, most_segments = 1024,
+constexpr std::size_t most_vertices = 160, most_triangles = 300, most_segments = 1024,
                       most_contacts = 512;
 
 struct Output {
@@ -43,7 +43,8 @@ struct Output {
   // Contacts by kind: point on point, point on edge, point on face, edge on edge, edge on face,
   // face on face.
   std::array<double, 6> of_kind;
-  // For a reader's function that takes whole numbers: the two boxes, in eighths of a metre.
+  // For a reader's function that takes whole numbers: the two boxes, in eighths of a metre, the
+  // moving one before it is shifted.
   std::array<Vector, 8> resting_box, moving_box;
   std::array<std::array<double, 3>, 12> box_triangle;
   double boxes_clear;  // 1 if these are shown, whole, and not into one another
@@ -171,10 +172,10 @@ void draw_pair(const contact::TriangleIntersection<double>& common, Output& out)
 }
 
 /// The box on the box, for a reader's function.
-void list_boxes(const Mesh& resting, const Mesh& moving, const Vector& shift, Output& out) {
+void list_boxes(const Scene& boxes, const Vector& shift, Output& out) {
   for (std::size_t i = 0; i < 8; ++i) {
-    out.resting_box[i] = 8 * resting.vertices[i];
-    out.moving_box[i] = 8 * moving.vertices[i];
+    out.resting_box[i] = 8 * boxes.resting.mesh().vertices[i];
+    out.moving_box[i] = 8 * boxes.moving.vertices[i];
   }
   std::copy_n(out.triangle[0].begin(), 12, out.box_triangle.begin());
   const Vector whole = (8 * shift).array().round();
@@ -195,7 +196,7 @@ Output compute(const Input& in) {
   list_mesh(resting, 0, out);
   list_mesh(moving, 1, out);
 
-  if (in.meshes == 2) list_boxes(resting, moving, in.shift, out);
+  if (in.meshes == 2) list_boxes(shown, in.shift, out);
 
   out.pairs = out.triangles[0] * out.triangles[1];
   contact::PairCounts counts;

@@ -25,8 +25,8 @@ interface Output {
 }
 
 /** Room for each mesh in the C++'s lists. */
-const VERTICES = 200;
-const TRIANGLES = 400;
+const VERTICES = 160;
+const TRIANGLES = 300;
 const KINDS = ["p2p", "p2e", "p2f", "e2e", "e2f", "f2f"];
 /** Dragged points move in tenths of this. */
 const GRIP_STEP = 1.25;
