@@ -161,7 +161,7 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
   if (!options || options->help) {
     std::fprintf(options ? stdout : stderr,
                  "usage: %s [--size N] [--repeats R] [--json FILE]\n%s\n"
-                 "  --size N     inputs a family (100000)\n"
+                 "  --size N     inputs a family, or what it has at most (100000)\n"
                  "  --repeats R  timed passes; the medians and quartiles are over these (9)\n"
                  "  --json FILE  write the results there as well\n",
                  argv[0], experiment.question().c_str());
@@ -191,6 +191,7 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
     for (const std::size_t method : asked) {
       experiment.pass(method);
       judged[method] = experiment.judge();
+      families.back()["n"] = judged[method].n;
     }
     // A family on which some method is wrong keeps wrong answers, the others the largest errors.
     const bool by_error = about.by_error || (!any_wrong(judged) && has_errors(judged));
@@ -209,7 +210,8 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
     std::vector<std::vector<double>> ns(methods.size());
     for (std::size_t repeat = 0; repeat < options->repeats; ++repeat) {
       for (const std::size_t method : asked) {
-        ns[method].push_back(timed_pass(experiment, method) / static_cast<double>(options->size));
+        const auto inputs = static_cast<double>(judged[method].n);
+        ns[method].push_back(timed_pass(experiment, method) / inputs);
       }
     }
     for (const std::size_t method : asked) {

@@ -40,6 +40,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -153,7 +154,7 @@ class Experiment {
   virtual const std::string& question() const = 0;
   virtual const std::vector<Family>& families() const = 0;
   virtual const std::vector<Method>& methods() const = 0;
-  /// Makes n inputs and their true answers.
+  /// Makes n inputs and their true answers, or as many as the ladder makes at most.
   virtual void prepare(std::size_t family, std::size_t n) = 0;
   /// Answers every input once; nothing but the method is done here, so the caller times it.
   virtual void pass(std::size_t method) = 0;
@@ -205,6 +206,9 @@ class Ladder : public Experiment {
     if constexpr (keeps_failures) calls_.push_back(call);
   }
 
+  /// Makes at most n inputs of a family, however many are asked for: methods that take long.
+  void at_most(std::size_t n) { most_ = n; }
+
   /// Marks the method that the book recommends.
   void recommend(const std::string& id) {
     for (Method& method : methods_) {
@@ -232,7 +236,8 @@ class Ladder : public Experiment {
   const std::vector<Family>& families() const override { return families_; }
   const std::vector<Method>& methods() const override { return methods_; }
 
-  void prepare(std::size_t family, std::size_t n) override {
+  void prepare(std::size_t family, std::size_t asked) override {
+    const std::size_t n = std::min(asked, most_);
     generators::Random random(family + 1);
     inputs_.clear();
     truths_.clear();
@@ -317,6 +322,7 @@ class Ladder : public Experiment {
   }
 
   std::string question_;
+  std::size_t most_ = std::numeric_limits<std::size_t>::max();
   Truth truth_;
   Judge judge_;
   std::vector<Family> families_;

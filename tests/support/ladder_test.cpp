@@ -127,6 +127,17 @@ TEST_CASE("a failure is simplified as far as the method stays wrong") {
   CHECK(failure->example.facts[0].values == std::vector<double>{9});
 }
 
+TEST_CASE("a ladder of slow methods makes at most as many inputs as it says") {
+  auto sums = experiment(false);
+  sums.at_most(20);
+  sums.prepare(1, 100);
+  sums.pass(0);
+  REQUIRE(sums.judge().n == 20);
+  sums.prepare(1, 7);
+  sums.pass(0);
+  REQUIRE(sums.judge().n == 7);
+}
+
 TEST_CASE("one method is recommended") {
   const auto ladder = experiment(false);
   CHECK(ladder.methods()[right_method].recommended);

@@ -120,7 +120,7 @@ class Ladder(BookDirective):
         machine = data["machine"]
         words = (
             f"Measured on {machine['cpu']} ({machine['cores']} cores, {machine['os']}) with "
-            f"{data['compiler']}, {data['date'][:10]}, on {_count(data['size'])} inputs a family."
+            f"{data['compiler']}, {data['date'][:10]}, on {_sizes(data)} inputs a family."
         )
         if not measured:
             words += (
@@ -139,6 +139,12 @@ class Ladder(BookDirective):
         heads, rows = columns(data)
         cells = [[nodes.Text(text) for text in row] for row in rows]
         return scrolled(table(heads, cells, data["question"], ["ladder"]), "Table of measurements")
+
+
+def _sizes(data: dict[str, Any]) -> str:
+    """How many inputs the families have: some questions take too long for as many as others."""
+    sizes = sorted({family.get("n", data["size"]) for family in data["families"]})
+    return " to ".join(_count(size) for size in dict.fromkeys((sizes[0], sizes[-1])))
 
 
 _COLUMNS = ("n", "wrong", "undecided", "error_median", "error_max")
