@@ -7,12 +7,14 @@
 #include <06_triangle_pairs/pair_families.hpp>
 #include <06_triangle_pairs/pair_truth.hpp>
 #include <contact/mesh_pairs.hpp>
+#include <contact/mesh_shapes.hpp>
 #include <contact/mesh_tree.hpp>
 #include <contact/pair_methods.hpp>
 #include <contact/pair_orientations.hpp>
 #include <contact/triangles_meet.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace {
 
@@ -216,11 +218,11 @@ struct Input {
   std::optional<MeshTree<double>> first_tree, second_tree;
   std::vector<TrianglePair> right;
 };
-/// One of those that are made once for a family: each is asked about several times in a pass.
-using Asked = const Input*;
+using Asked = std::shared_ptr<const Input>;
 using Answer = std::vector<TrianglePair>;
 
-constexpr std::size_t different = 256;
+/// Each with each, meshes have a hundred thousand pairs of triangles.
+constexpr std::size_t most_inputs = 200;
 
 std::pair<int, int> numbers(const TrianglePair& pair) { return {pair.of_first, pair.of_second}; }
 
@@ -276,8 +278,8 @@ Triangle<double> times(const Triangle<double>& t) {
   return {t.a * 0x1p22, t.b * 0x1p22, t.c * 0x1p22};
 }
 
-std::unique_ptr<Input> made(const Mesh<double>& first, const Mesh<double>& second) {
-  auto input = std::make_unique<Input>();
+Asked made(const Mesh<double>& first, const Mesh<double>& second) {
+  auto input = std::make_shared<Input>();
   const mesh_families::Body a = mesh_families::rounded(first), b = mesh_families::rounded(second);
   input->first = a.in_float;
   input->second = b.in_float;
@@ -305,14 +307,34 @@ const Mesh<double>& any_of(generators::Random& random, const mesh_families::Bodi
   return mesh_families::any(random, bodies).in_double;
 }
 
-/// Concave meshes of up to 96 triangles that cross, most of them.
-std::unique_ptr<Input> crossing(generators::Random& random) {
-  const Mesh<double>& first = any_of(random, mesh_families::usual());
-  const Mesh<double>& second = any_of(random, mesh_families::usual());
+/// Meshes of 320 triangles: balls with each vertex moved to a random distance, and tori.
+const std::vector<Mesh<double>>& bodies() {
+  static const std::vector<Mesh<double>> all = [] {
+    generators::Random random(1);
+    std::vector<Mesh<double>> made{contact::torus_mesh(0.7, 0.3, 16, 10),
+                                   contact::torus_mesh(0.6, 0.15, 20, 8)};
+    for (int i = 0; i < 4; ++i) {
+      made.push_back(contact::ball_mesh(1, 2));
+      for (Point& v : made.back().vertices) v *= random.uniform(0.6, 1);
+    }
+    for (Mesh<double>& mesh : made) mesh = mesh_families::on_lattice(mesh);
+    return made;
+  }();
+  return all;
+}
+const Mesh<double>& any_body(generators::Random& random) {
+  return bodies()[static_cast<std::size_t>(
+      random.integer(0, static_cast<int>(bodies().size()) - 1))];
+}
+
+/// Meshes that cross, most of them.
+Asked crossing(generators::Random& random) {
+  const Mesh<double>& first = any_body(random);
+  const Mesh<double>& second = any_body(random);
   return made(first, moved(second, offset(random, 0.7)));
 }
 /// Boxes, octahedra and prisms at whole numbers: on one another, side by side, within another.
-std::unique_ptr<Input> whole(generators::Random& random) {
+Asked whole(generators::Random& random) {
   const Mesh<double>& first = any_of(random, mesh_families::whole());
   const Mesh<double>& second = any_of(random, mesh_families::whole());
   const Point by{double(random.integer(-3, 3)), double(random.integer(-3, 3)),
@@ -320,27 +342,30 @@ std::unique_ptr<Input> whole(generators::Random& random) {
   return made(first, moved(second, by));
 }
 /// A mesh and the same one, or one that has a vertex of the other's as its own.
-std::unique_ptr<Input> touching(generators::Random& random) {
-  const Mesh<double>& first = any_of(random, mesh_families::usual());
+Asked touching(generators::Random& random) {
+  const Mesh<double>& first = any_body(random);
   if (random.chance(0.25)) return made(first, first);
-  const Mesh<double>& second = any_of(random, mesh_families::usual());
+  const Mesh<double>& second = any_body(random);
   const Point at = mesh_families::any_vertex(random, first);
   return made(first, moved(second, at - mesh_families::any_vertex(random, second)));
 }
 /// A mesh and the same one up to a micrometre beside.
-std::unique_ptr<Input> close(generators::Random& random) {
-  const Mesh<double>& first = any_of(random, mesh_families::usual());
+Asked close(generators::Random& random) {
+  const Mesh<double>& first = any_body(random);
   return made(first, moved(first, offset(random, 0x1p-18)));
 }
-/// Half a million metres away, where floats are a thirty-second apart.
-std::unique_ptr<Input> far_away(generators::Random& random) {
-  const Mesh<double>& first = any_of(random, mesh_families::far_away());
+/// Half a million metres away, where floats are a thirty-second apart, and eight times as large.
+Asked far_away(generators::Random& random) {
+  Mesh<double> first = any_body(random);
+  for (Point& v : first.vertices) v = 8 * v + Point::Constant(0x1.8p18);
+  const Mesh<double> rounded = mesh_families::rounded(first).in_double;
   const Point by{double(random.integer(-3, 3)), double(random.integer(-3, 3)),
                  double(random.integer(-3, 3))};
-  return made(first, moved(first, by));
+  return made(rounded, moved(rounded, by));
 }
 
-ladder::Example shown(Asked input, const Answer& got, const Answer& right, const ladder::Method&) {
+ladder::Example shown(const Asked& input, const Answer& got, const Answer& right,
+                      const ladder::Method&) {
   ladder::Example example;
   const auto count = [](std::size_t number) { return static_cast<double>(number); };
   example.facts = {ladder::number("triangles of the first", count(input->first.triangles.size())),
@@ -365,18 +390,11 @@ ladder::Example shown(Asked input, const Answer& got, const Answer& right, const
 
 ladder::Ladder<Asked, Answer> experiment() {
   ladder::Ladder<Asked, Answer> ladder(
-      "Which triangles of two meshes meet?", [](Asked input) { return input->right; }, judge);
+      "Which triangles of two meshes meet?", [](const Asked& input) { return input->right; },
+      judge);
+  ladder.at_most(most_inputs);
   const auto family = [&ladder](const char* id, const char* title, auto generator) {
-    auto all = std::make_shared<std::vector<std::unique_ptr<Input>>>();
-    ladder.family(
-        id, title,
-        [generator, all, next = std::size_t{0}](generators::Random& random) mutable -> Asked {
-          if (all->size() < different) {
-            all->push_back(generator(random));
-            return all->back().get();
-          }
-          return (*all)[next++ % different].get();
-        });
+    ladder.family(id, title, generator);
   };
   family("mesh-crossing", "crossing", crossing);
   family("mesh-whole", "whole numbers", whole);
@@ -384,34 +402,35 @@ ladder::Ladder<Asked, Answer> experiment() {
   family("mesh-close", "nearly the same mesh", close);
   family("mesh-far", "far from the origin", far_away);
 
-  const auto in_both = [&ladder](const char* id, const char* title, auto meet) {
-    ladder.method(plain(id, "-float", title, "float"), [meet](Asked input) {
-      return each_with_each(input->first, input->second, meet);
-    });
-    ladder.method(plain(id, "-double", title, "double"), [meet](Asked input) {
-      return each_with_each(input->first_in_double, input->second_in_double, meet);
-    });
-  };
-  in_both("all-intervals", "each with each, intervals, ε = 10⁻⁶", [](const auto& t, const auto& u) {
-    using S = std::decay_t<decltype(t.a.x())>;
-    return contact::meet_by_intervals(t, u, S(1e-6));
-  });
-  in_both("all-orientations", "each with each, Guigue–Devillers",
-          [](const auto& t, const auto& u) { return contact::meet_by_orientations(t, u); });
+  ladder.method(plain("all-intervals", "", "each with each, intervals, ε = 10⁻⁶", "float"),
+                [](const Asked& input) {
+                  return each_with_each(input->first, input->second,
+                                        [](const auto& t, const auto& u) {
+                                          return contact::meet_by_intervals(t, u, 1e-6F);
+                                        });
+                });
+  ladder.method(plain("all-orientations", "", "each with each, Guigue–Devillers", "double"),
+                [](const Asked& input) {
+                  return each_with_each(input->first_in_double, input->second_in_double,
+                                        [](const auto& t, const auto& u) {
+                                          return contact::meet_by_orientations(t, u);
+                                        });
+                });
   ladder.method(exact("all-meet", "each with each, filtered", "double, then exact"),
-                [](Asked input) {
+                [](const Asked& input) {
                   return each_with_each(
                       input->first_in_double, input->second_in_double,
                       [](const auto& t, const auto& u) { return contact::triangles_meet(t, u); });
                 });
-  ladder.method(exact("boxes", "boxes first, filtered", "double, then exact"), [](Asked input) {
-    return contact::meeting_triangles(input->first_in_double, input->second_in_double);
-  });
+  ladder.method(
+      exact("boxes", "boxes first, filtered", "double, then exact"), [](const Asked& input) {
+        return contact::meeting_triangles(input->first_in_double, input->second_in_double);
+      });
   ladder.method(
       exact("one-tree", "one tree of boxes, filtered", "double, then exact"),
-      [](Asked input) { return by_one_tree(input->first_in_double, *input->second_tree); });
+      [](const Asked& input) { return by_one_tree(input->first_in_double, *input->second_tree); });
   ladder.method(exact("two-trees", "two trees of boxes, filtered", "double, then exact"),
-                [](Asked input) {
+                [](const Asked& input) {
                   return contact::meeting_triangles(*input->first_tree, *input->second_tree);
                 });
   ladder.recommend("two-trees");
