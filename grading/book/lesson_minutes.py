@@ -132,7 +132,9 @@ class _Shown:
 
     def code(self, argument: str) -> Listing:
         name, _, wanted = argument.partition(" ")
-        known = [folder / name for folder in sorted((self.root / "chapters").iterdir())]
+        # The chapter's own file first: examples of two chapters may have one name.
+        folders = [self.folder, *sorted((self.root / "chapters").iterdir())]
+        known = [folder / name for folder in folders]
         path = next((file for file in known if file.is_file()), self.folder / name)
         text = self._text(path)
         where = str(path.relative_to(self.root))

@@ -133,6 +133,15 @@ Five six.
     assert [listing.lines for listing in lesson.deeper.listings] == shown
 
 
+def test_of_files_with_one_name_the_lesson_s_own_counts(sample: Sample) -> None:
+    for slug, lines in (("00_numbers", 7), ("01_lines", 2)):
+        folder = sample.root / "chapters" / slug / "examples"
+        folder.mkdir(exist_ok=True)
+        (folder / "same.out").write_text("a line\n" * lines, encoding="utf-8")
+    lesson = count(sample, "# One\n\n:::{code} examples/same.out\n:::\n")
+    assert lesson.main.lines == 2
+
+
 def test_too_long_and_a_reason(sample: Sample) -> None:
     listing = "```cpp\n" + "int a;\n" * 26 + "```\n"
     text = "# One\n\n" + "word " * 9000 + "\n\n" + listing
