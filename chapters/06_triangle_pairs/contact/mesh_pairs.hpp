@@ -169,7 +169,7 @@ std::vector<TrianglePair> meeting_triangles(const Mesh<S>& a, const Mesh<S>& b,
                                             PairCounts* counts = nullptr) {
   return mesh_pairs_detail::all_pairs(a, b, counts);
 }
-/// The same list by two trees: only pairs of leaves whose boxes touch are compared.
+/// The same list by two trees: only pairs whose boxes touch, or nearly do, are compared.
 ///
 /// Limits: meshes that are close to each other everywhere take a time that grows with the number
 /// of their triangles; long slivers, whose boxes overlap, up to n·m.
@@ -252,8 +252,8 @@ bool meet_beyond_shared(const Triangle<S>& s, const Triangle<S>& t) {
 
 // [self-meeting]
 /// The pairs of triangles of one mesh that have a point in common besides the vertices and edges
-/// that they share, sorted; in each pair the smaller number first. A mesh without such pairs does
-/// not cross or touch itself.
+/// that they share, sorted; in each pair the smaller number first. A mesh without such pairs
+/// crosses or touches itself at most in vertices and edges that its triangles share.
 ///
 /// A vertex is shared if the two triangles have vertices at equal positions, so it is the same for
 /// a soup. An edge is shared if its two ends are. Exact, touching counts: a vertex on a face or on

@@ -184,10 +184,12 @@ NearestFeatures<S> nearest_of_apart_triangles(const Triangle<S>& first, const Tr
 ///
 /// Whether they meet is decided without error. If they do, the distance is 0 and the point is the
 /// first that `intersect_triangles` finds; its features may be an edge and a face. If not, kind and
-/// features are never edge_face or face_face. They are computed in double and rounded to S, with a
-/// few roundings of the largest coordinate in each position: no bound is proven, and of pairs of
-/// features that are as close up to rounding any may be found. A squared distance beyond the number
-/// range is ∞ or 0. Triangles without area are segments or points.
+/// features are never edge_face or face_face. They are computed in double and rounded to S, without
+/// a bound, and of pairs of features that are as close up to rounding any may be found. For thin
+/// triangles the distance and the positions can be wrong by much, and the distance too small; of
+/// nearly parallel edges the positions. `nearest_of_triangles_exactly` has no such limits. A
+/// squared distance beyond the number range is ∞ or 0. Triangles without area are segments or
+/// points.
 /// @param first m
 /// @param second m
 /// @return NaN as the squared distance if a coordinate is not finite

@@ -278,8 +278,8 @@ bool meet_by_edges(const Triangle<S>& first, const Triangle<S>& second) {
 /// perpendiculars to an edge in the plane, which are tested always, because a rounded test for one
 /// plane would be wrong for most of them.
 ///
-/// Two convex bodies are apart if and only if the projections on one of these axes are. Touching
-/// counts.
+/// Two triangles with area are apart if and only if the projections on one of these axes are.
+/// Touching counts.
 ///
 /// Limits: rounded; triangles that touch may be decided wrongly in both directions. With a triangle
 /// without area some axes are zero and separate nothing: those that are apart can be taken for
