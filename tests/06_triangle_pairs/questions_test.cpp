@@ -200,7 +200,11 @@ KEY("vertex-on-an-edge") {
   for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
     if (contact::on_triangle(tip.vertices[0], contact::triangle_of(roof, i))) ++faces;
   }
-  return faces > 0 ? 0 : 2;
+  // So does edge to edge: an edge of the tip, as a triangle without area, against the ridge.
+  const bool edges =
+      contact::triangles_meet<double>({tip.vertices[0], tip.vertices[1], tip.vertices[1]},
+                                      {roof.vertices[4], roof.vertices[5], roof.vertices[5]});
+  return faces > 0 ? (edges ? 2 : 0) : (edges ? 1 : 3);
 }
 
 KEY("how-many-orientations") {
