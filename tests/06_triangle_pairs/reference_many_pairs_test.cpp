@@ -159,7 +159,7 @@ TEST_CASE("any bit patterns are decided as exact arithmetic without a filter dec
   }
 }
 
-TEST_CASE("a triangle with a coordinate that is not finite meets nothing") {
+TEST_CASE("in no family a triangle that is not finite meets anything") {
   const Pair<double> pair{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
   REQUIRE(triangles_meet(pair.first, pair.second));
   for (const double bad :
