@@ -97,10 +97,11 @@ def distractors(exercise: str, parts: Sequence[Part], root: Path = ROOT) -> list
     return list(found.values())[:MOST_DISTRACTORS]
 
 
-def _shuffled(count: int, name: str) -> list[int]:
-    """Always the same order for one name, and never the right one."""
+def _shuffled(count: int, pieces: int, name: str) -> list[int]:
+    """Always the same order for one name. The first `pieces` are never in their right order."""
+    kept = pieces if pieces > 1 else count
     order = list(range(count))
-    while count > 1 and order == list(range(count)):
+    while count > 1 and [at for at in order if at < kept] == list(range(kept)):
         random.Random(name).shuffle(order)
         name += "+"
     return order
@@ -133,7 +134,7 @@ def form_data(exercise: str, root: Path = ROOT) -> dict[str, Any] | None:
     for run in _runs(parts):
         rows = [[index] for index in run]
         rows += [[item.of, at] for at, item in enumerate(wrong) if item.of in run]
-        runs.append([rows[at] for at in _shuffled(len(rows), exercise)])
+        runs.append([rows[at] for at in _shuffled(len(rows), len(run), exercise)])
     return {
         "parts": [
             {"text": part.text, "reason": part.reason, "gaps": list(part.gaps)} for part in parts

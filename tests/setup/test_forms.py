@@ -192,6 +192,8 @@ def test_the_lines_are_shuffled_and_their_order_is_the_solution(exercise: str) -
     assert rows
     for run in rows:
         assert run != sorted(run, key=lambda row: (len(row), row))
+        pieces = [row for row in run if len(row) == 1]
+        assert len(pieces) == 1 or pieces != sorted(pieces)
     shown = without_marks(solution_file(exercise).read_text(encoding="utf-8"))
     assert "".join(part["text"] for part in data["parts"]) == shown
     assert order_text(exercise) == order_text(exercise)
