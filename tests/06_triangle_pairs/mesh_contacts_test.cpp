@@ -431,7 +431,9 @@ TEST_CASE("random bodies agree with integers") {
       for (int i = 0; i < 9; ++i) map(i) = number(3);
     }
     const double x = number(size);
-    const Point p(x, number(size), asked % 3 == 0 ? number(3) : 0);
+    const double y = number(size);
+    const double z = asked % 3 == 0 ? number(3) : 0;
+    const Point p(x, y, z);
     if (!judged(a, b, map, p)) continue;
     // Most of them touch.
     const Mesh upper = touching_bodies::upper(a), lower = touching_bodies::lower(b);
