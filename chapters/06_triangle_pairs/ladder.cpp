@@ -135,16 +135,6 @@ Input whole_pair(generators::Random& random, const std::array<Family, n>& famili
   return both_types(pair_families::scaled(pair, exponent), right);
 }
 
-/// A pair of any family in another position, rounded.
-Input rounded_pair(generators::Random& random) {
-  const auto last = static_cast<int>(pair_families::all.size()) - 1;
-  const auto family = pair_families::all[static_cast<std::size_t>(random.integer(0, last))];
-  Pair pair = pair_families::rounded_pair<float>(random, family);
-  const double size = size_of(both_types(pair, false));
-  if (family != Family::far) pair = pair_families::scaled(pair, -std::ilogb(size));
-  return both_types(pair, pair_truth::meet_exactly(pair.first, pair.second));
-}
-
 ladder::Ladder<Input, Answer> experiment() {
   ladder::Ladder<Input, Answer> ladder(
       "Do the two triangles meet?", [](const Input& input) { return Answer{input.right}; }, judge);
@@ -154,22 +144,16 @@ ladder::Ladder<Input, Answer> experiment() {
     });
   };
   family("pair-random", "random", std::array{Family::random});
-  family("pair-near", "boxes meet", std::array{Family::near});
   family("pair-touching", "touching",
          std::array{Family::vertex_on_vertex, Family::vertex_on_edge, Family::vertex_on_face,
                     Family::edge_on_edge});
-  family("pair-edge", "an edge in the plane", std::array{Family::edge_in_plane});
   family("pair-shared", "a shared edge", std::array{Family::shared_edge});
   family("pair-coplanar", "in one plane",
          std::array{Family::coplanar_overlapping, Family::coplanar_apart, Family::coplanar_inside});
-  family("pair-coplanar-touching", "touching in one plane", std::array{Family::coplanar_touching});
   family("pair-step", "one step off touching", std::array{Family::one_step});
-  family("pair-needles", "needles", std::array{Family::needles});
   family("pair-degenerate", "segments and points", std::array{Family::degenerate});
-  family("pair-sheared", "sheared", std::array{Family::sheared});
   family("pair-far", "far from the origin", std::array{Family::far});
   family("pair-small", "random, of 4 mm", std::array{Family::random, Family::near}, 8);
-  ladder.family("pair-rounded", "moved and rounded", rounded_pair);
 
   const auto in_both = [&ladder](const char* id, const char* title, auto method) {
     ladder.method(plain(id, "-float", title, "float"), [method](const Input& input) {
@@ -189,8 +173,6 @@ ladder::Ladder<Input, Answer> experiment() {
   });
   in_both("edges", "six edges, Möller–Trumbore",
           [](const auto& a, const auto& b) { return contact::meet_by_edges(a, b); });
-  in_both("axes", "separating axes",
-          [](const auto& a, const auto& b) { return contact::meet_by_axes(a, b); });
   in_both("orientations", "Guigue–Devillers",
           [](const auto& a, const auto& b) { return contact::meet_by_orientations(a, b); });
   ladder.method(
