@@ -6,8 +6,8 @@
 //   mesh_peers --write FOLDER [rays]  the questions and right answers, for three_peer.mjs and
 //                                     igl_peer.py, which ask `mesh_peers --ask FOLDER` in turn
 //   mesh_peers --ask FOLDER FAMILY    prints what the book takes for the rays or points of a family
+#include "../comparison.hpp"
 #include "peers.hpp"
-
 #include "questions.hpp"
 
 #include <algorithm>
@@ -28,72 +28,29 @@ using questions::Points;
 using questions::Rays;
 using questions::Scene;
 
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
-
 /// What is computed only to be timed.
 volatile double kept = 0;
 
 /// One way to answer all questions of a family.
-struct Method {
-  std::string name;
-  std::function<void(Answers&)> ask;
-};
+using Method = comparison::Method<Answers>;
 /// A count of an answer that is not right, with its title.
 struct Fault {
   const char* title;
   std::function<bool(int got, std::size_t i)> is;
 };
 
-struct Spread {
-  double median, least, most;
-};
-Spread spread(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return {values[values.size() / 2], values.front(), values.back()};
-}
-
-/// The first method is the book's; each time of it is divided by the others' of the same run.
+/// Prints the times of the methods and counts the faults of their answers to `count` questions.
 void compare(const std::string& title, std::size_t count, const char* unit, double per,
              const std::vector<Method>& methods, const std::vector<Fault>& faults, int runs) {
-  std::vector<std::vector<double>> times(methods.size()), shares(methods.size());
-  std::vector<std::vector<std::size_t>> counted(methods.size());
-  Answers answers(count);
-  for (int run = 0; run <= runs; ++run) {
-    double book = 0;
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      const double start = processor_time();
-      methods[m].ask(answers);
-      const double elapsed = (processor_time() - start) / per;
-      if (m == 0) book = elapsed;
-      if (run > 0) {
-        times[m].push_back(elapsed);
-        shares[m].push_back(book / elapsed);
-        continue;
-      }
-      for (const Fault& fault : faults) {  // the first one warms up
-        std::size_t wrong = 0;
-        for (std::size_t i = 0; i < count; ++i) wrong += fault.is(answers[i], i);
-        counted[m].push_back(wrong);
-      }
-    }
+  std::vector<comparison::Fault<Answers>> counts;
+  for (const Fault& fault : faults) {
+    counts.push_back({fault.title, [&fault, count](const Answers& answers) {
+                        std::size_t wrong = 0;
+                        for (std::size_t i = 0; i < count; ++i) wrong += fault.is(answers[i], i);
+                        return wrong;
+                      }});
   }
-  std::printf("%s\n  %-34s %9s %19s %11s %15s", title.c_str(), "", unit, "least - most",
-              "book / this", "least - most");
-  for (const Fault& fault : faults) std::printf(" %9s", fault.title);
-  std::printf("\n");
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    const Spread time = spread(times[m]), share = spread(shares[m]);
-    std::printf("  %-34s %9.1f %8.1f - %8.1f %11.3f %6.3f - %6.3f", methods[m].name.c_str(),
-                time.median, time.least, time.most, share.median, share.least, share.most);
-    for (const std::size_t wrong : counted[m]) std::printf(" %9zu", wrong);
-    std::printf("\n");
-  }
-  std::printf("\n");
-  std::fflush(stdout);
+  comparison::compare(title, unit, per, methods, counts, runs, Answers(count));
 }
 
 /// The book's trees and those of the peers.
@@ -261,9 +218,10 @@ int ask(const std::string& folder, const std::string& family) {
     const Method method = book("", lines, call);
     answers.resize(lines.size());
     method.ask(answers);
-    const double start = processor_time();
+    const double start = comparison::processor_time();
     method.ask(answers);
-    std::printf("%.3f\n", (processor_time() - start) / static_cast<double>(lines.size()));
+    std::printf("%.3f\n",
+                (comparison::processor_time() - start) / static_cast<double>(lines.size()));
     return 0;
   };
   if (family.starts_with("points")) {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "../number_files.hpp"
 #include "peers.hpp"
 
 namespace questions {
@@ -200,22 +201,6 @@ void each_family_of_points(const Scene& scene, std::size_t count, const Call& ca
 }
 
 // Files for other programs: numbers as they are in memory, one after the other.
-
-template <class T>
-void write_numbers(const std::filesystem::path& file, const std::vector<T>& numbers) {
-  std::ofstream out(file, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(numbers.data()),
-            static_cast<std::streamsize>(numbers.size() * sizeof(T)));
-}
-template <class T>
-std::vector<T> read_numbers(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  std::vector<T> numbers(static_cast<std::size_t>(in.tellg()) / sizeof(T));
-  in.seekg(0);
-  in.read(reinterpret_cast<char*>(numbers.data()),
-          static_cast<std::streamsize>(numbers.size() * sizeof(T)));
-  return numbers;
-}
 
 /// Writes FOLDER/SCENE: vertices.f32, triangles.i32, for each family NAME its NAME.f32 (rays:
 /// origins and directions in turn) and NAME.right.i32 (of each ray the first triangle, or −1), and

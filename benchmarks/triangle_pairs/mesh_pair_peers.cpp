@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-#include "comparison.hpp"
+#include "../comparison.hpp"
 #include "mesh_scenes.hpp"
 #include "peers.hpp"
 

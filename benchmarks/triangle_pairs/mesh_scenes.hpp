@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "../number_files.hpp"
 #include "peers.hpp"
 
 namespace mesh_scenes {
@@ -47,10 +48,6 @@ inline Mesh<double> on_lattice(Mesh<double> mesh) {
 /// Coordinates as whole numbers of 2^-20.
 inline Mesh<double> in_steps(Mesh<double> mesh) {
   for (Point& v : mesh.vertices) v *= 0x1p20;
-  return mesh;
-}
-inline Mesh<double> moved(Mesh<double> mesh, const Point& by) {
-  for (Point& v : mesh.vertices) v += by;
   return mesh;
 }
 /// Each vertex moved by up to `by` in each coordinate.
@@ -207,34 +204,19 @@ void each_scene(const Call& call) {
   const Mesh<double> ring = rough(torus(), little, 1);
   const Mesh<double> other_ring = rough(upright(torus()), little, 2);
   const Mesh<double> round = rough(ball(), little, 3);
-  call(scene_of("tori", "two rough tori that cross", ring, moved(other_ring, Point(0.7, 0, 0.1))));
+  call(scene_of("tori", "two rough tori that cross", ring,
+                contact::translated<double>(other_ring, Point(0.7, 0, 0.1))));
   call(scene_of("balls", "two rough balls that cross", round,
-                moved(rough(ball(), little, 4), Point(0.9, 0.3, 0.2))));
+                contact::translated<double>(rough(ball(), little, 4), Point(0.9, 0.3, 0.2))));
   call(scene_of("close", "a rough ball and itself 1 mm beside", round,
-                moved(round, Point(0.0007, 0.0005, 0.0005))));
+                contact::translated<double>(round, Point(0.0007, 0.0005, 0.0005))));
   call(scene_of("boxes", "a box on a box", divided_box(Point(0, 0, 0), 0x1p-6, 64),
                 divided_box(Point(0.25, 0.125, 1), 0x1p-6, 64)));
   call(scene_of("linked", "two rough tori that are linked, apart", ring,
-                moved(other_ring, Point(1, 0, 0))));
+                contact::translated<double>(other_ring, Point(1, 0, 0))));
 }
 
 // Files for other programs --------------------------------------------------------------------
-
-template <class T>
-void write_numbers(const std::filesystem::path& file, const std::vector<T>& numbers) {
-  std::ofstream out(file, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(numbers.data()),
-            static_cast<std::streamsize>(numbers.size() * sizeof(T)));
-}
-template <class T>
-std::vector<T> read_numbers(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  std::vector<T> numbers(static_cast<std::size_t>(in.tellg()) / sizeof(T));
-  in.seekg(0);
-  in.read(reinterpret_cast<char*>(numbers.data()),
-          static_cast<std::streamsize>(numbers.size() * sizeof(T)));
-  return numbers;
-}
 
 /// Writes FOLDER/meshes/SCENE: vertices and triangles of both meshes, the pairs that meet, and the
 /// title.

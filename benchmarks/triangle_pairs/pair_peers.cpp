@@ -11,7 +11,7 @@
 #include <contact/triangles_meet.hpp>
 #include <string_view>
 
-#include "comparison.hpp"
+#include "../comparison.hpp"
 #include "pair_scenes.hpp"
 #include "peers.hpp"
 

@@ -6,8 +6,6 @@
 #include <coal/narrowphase/narrowphase.h>
 #include <coal/shape/geometric_shapes.h>
 
-#include <limits>
-
 #include "peers.hpp"
 
 namespace {
@@ -62,23 +60,6 @@ std::vector<peers::PairTest> peers::coal_pairs() {
 
 std::vector<peers::MeshTest> peers::coal_meshes(const MeshOfNumbers& first,
                                                 const MeshOfNumbers& second) {
-  auto both = std::make_shared<Both>();
-  MeshTest test;
-  test.name = "Coal, OBBRSS";
-  test.build = [both, &first, &second] { *both = {model_of(first), model_of(second)}; };
-  test.any = [both] {
-    ::coal::CollisionResult result;
-    collide(*both, 1, result);
-    return result.isCollision();
-  };
-  test.all = [both](Found& found) {
-    ::coal::CollisionResult result;
-    collide(*both, std::numeric_limits<int>::max(), result);
-    found.clear();
-    for (std::size_t i = 0; i < result.numContacts(); ++i) {
-      const auto& contact = result.getContact(i);
-      found.emplace_back(static_cast<int>(contact.b1), static_cast<int>(contact.b2));
-    }
-  };
-  return {test};
+  const auto make = [&first, &second] { return Both{model_of(first), model_of(second)}; };
+  return {tree_test<::coal::CollisionResult>("Coal, OBBRSS", make, collide)};
 }

@@ -3,8 +3,6 @@
 
 #include <fcl/narrowphase/detail/traversal/collision/intersect.h>
 
-#include <limits>
-
 #include "peers.hpp"
 
 namespace {
@@ -55,23 +53,6 @@ std::vector<peers::PairTest> peers::fcl_pairs() {
 
 std::vector<peers::MeshTest> peers::fcl_meshes(const MeshOfNumbers& first,
                                                const MeshOfNumbers& second) {
-  auto both = std::make_shared<Both>();
-  MeshTest test;
-  test.name = "FCL, OBBRSS";
-  test.build = [both, &first, &second] { *both = {model_of(first), model_of(second)}; };
-  test.any = [both] {
-    ::fcl::CollisionResultd result;
-    collide(*both, 1, result);
-    return result.isCollision();
-  };
-  test.all = [both](Found& found) {
-    ::fcl::CollisionResultd result;
-    collide(*both, std::numeric_limits<int>::max(), result);
-    found.clear();
-    for (std::size_t i = 0; i < result.numContacts(); ++i) {
-      const auto& contact = result.getContact(i);
-      found.emplace_back(static_cast<int>(contact.b1), static_cast<int>(contact.b2));
-    }
-  };
-  return {test};
+  const auto make = [&first, &second] { return Both{model_of(first), model_of(second)}; };
+  return {tree_test<::fcl::CollisionResultd>("FCL, OBBRSS", make, collide)};
 }

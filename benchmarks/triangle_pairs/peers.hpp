@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -62,6 +63,29 @@ std::vector<SelfTest> cgal_self(const MeshOfNumbers& mesh);
 /// Trees of oriented boxes.
 std::vector<MeshTest> fcl_meshes(const MeshOfNumbers& first, const MeshOfNumbers& second);
 std::vector<MeshTest> coal_meshes(const MeshOfNumbers& first, const MeshOfNumbers& second);
+
+/// The test of a program that keeps the pairs it finds in a `Result`.
+/// @param make a model of each mesh: what is timed as building
+/// @param collide (models, most pairs, Result&): finds as many pairs at most
+template <class Result, class Make, class Collide>
+MeshTest tree_test(std::string name, Make make, Collide collide) {
+  auto models = std::make_shared<decltype(make())>();
+  const auto any = [models, collide] {
+    Result result;
+    collide(*models, 1, result);
+    return result.isCollision();
+  };
+  const auto all = [models, collide](Found& found) {
+    Result result;
+    collide(*models, std::numeric_limits<int>::max(), result);
+    found.clear();
+    for (std::size_t i = 0; i < result.numContacts(); ++i) {
+      const auto& contact = result.getContact(i);
+      found.emplace_back(static_cast<int>(contact.b1), static_cast<int>(contact.b2));
+    }
+  };
+  return {std::move(name), [models, make] { *models = make(); }, any, all};
+}
 
 /// A test that keeps each pair as `convert` makes it, and asks `meet` of it.
 template <class Convert, class Meet>
