@@ -204,7 +204,7 @@ using Asked = std::shared_ptr<const Input>;
 using Answer = std::vector<TrianglePair>;
 
 /// Each with each, meshes have a hundred thousand pairs of triangles.
-constexpr std::size_t most_inputs = 200;
+constexpr std::size_t most_inputs = 60;
 
 std::pair<int, int> numbers(const TrianglePair& pair) { return {pair.of_first, pair.of_second}; }
 
@@ -275,10 +275,6 @@ Asked made(const Mesh<double>& first, const Mesh<double>& second) {
   return input;
 }
 
-Mesh<double> moved(Mesh<double> mesh, const Point& by) {
-  for (Point& v : mesh.vertices) v += by;
-  return mesh;
-}
 /// A multiple of 2^-20 in each coordinate, up to `most`.
 Point offset(generators::Random& random, double most) {
   Point by{random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)};
@@ -313,7 +309,7 @@ const Mesh<double>& any_body(generators::Random& random) {
 Asked crossing(generators::Random& random) {
   const Mesh<double>& first = any_body(random);
   const Mesh<double>& second = any_body(random);
-  return made(first, moved(second, offset(random, 0.7)));
+  return made(first, contact::translated<double>(second, offset(random, 0.7)));
 }
 /// Boxes, octahedra and prisms at whole numbers: on one another, side by side, within another.
 Asked whole(generators::Random& random) {
@@ -321,7 +317,7 @@ Asked whole(generators::Random& random) {
   const Mesh<double>& second = any_of(random, mesh_families::whole());
   const Point by{double(random.integer(-3, 3)), double(random.integer(-3, 3)),
                  double(random.integer(-3, 3))};
-  return made(first, moved(second, by));
+  return made(first, contact::translated<double>(second, by));
 }
 /// A mesh and the same one, or one that has a vertex of the other's as its own.
 Asked touching(generators::Random& random) {
@@ -329,12 +325,13 @@ Asked touching(generators::Random& random) {
   if (random.chance(0.25)) return made(first, first);
   const Mesh<double>& second = any_body(random);
   const Point at = mesh_families::any_vertex(random, first);
-  return made(first, moved(second, at - mesh_families::any_vertex(random, second)));
+  return made(first,
+              contact::translated<double>(second, at - mesh_families::any_vertex(random, second)));
 }
 /// A mesh and the same one up to a micrometre beside.
 Asked close(generators::Random& random) {
   const Mesh<double>& first = any_body(random);
-  return made(first, moved(first, offset(random, 0x1p-18)));
+  return made(first, contact::translated<double>(first, offset(random, 0x1p-18)));
 }
 /// Half a million metres away, where floats are a thirty-second apart, and eight times as large.
 Asked far_away(generators::Random& random) {
@@ -343,7 +340,7 @@ Asked far_away(generators::Random& random) {
   const Mesh<double> rounded = mesh_families::rounded(first).in_double;
   const Point by{double(random.integer(-3, 3)), double(random.integer(-3, 3)),
                  double(random.integer(-3, 3))};
-  return made(rounded, moved(rounded, by));
+  return made(rounded, contact::translated<double>(rounded, by));
 }
 
 ladder::Example shown(const Asked& input, const Answer& got, const Answer& right,

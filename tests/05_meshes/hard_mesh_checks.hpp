@@ -50,21 +50,13 @@ inline Rings rings_of(const Case& c) {
 
 /// Triangles with vertices of their own.
 inline Mesh<double> soup_of(const Case& c) {
-  const Mesh<double> mesh = mesh_of(c);
-  const std::vector<double> negative = c.numbers("negative_zeros");
-  Mesh<double> soup;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const bool flips =
-        std::find(negative.begin(), negative.end(), static_cast<double>(i)) != negative.end();
-    const contact::Triangle<double> t = triangle_of(mesh, i);
-    const int n = static_cast<int>(soup.vertices.size());
-    for (Vector3<double> v : {t.a, t.b, t.c}) {
-      for (int k = 0; k < 3; ++k) {
-        if (flips && v[k] == 0) v[k] = -0.0;
+  Mesh<double> soup = contact::triangle_soup(mesh_of(c));
+  for (const double triangle : c.numbers("negative_zeros")) {
+    for (const int v : soup.triangles[static_cast<std::size_t>(triangle)]) {
+      for (double& x : soup.vertices[static_cast<std::size_t>(v)]) {
+        if (x == 0) x = -0.0;
       }
-      soup.vertices.push_back(v);
     }
-    soup.triangles.push_back({n, n + 1, n + 2});
   }
   return soup;
 }

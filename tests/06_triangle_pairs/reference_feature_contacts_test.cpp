@@ -1,6 +1,7 @@
 // The first contact of two meshes and the features in contact, against fractions; and that the
 // theorem fails without each of its hypotheses.
 #include <06_triangle_pairs/common_points_truth.hpp>
+#include <06_triangle_pairs/drawn.hpp>
 #include <contact/feature_contacts.hpp>
 #include <contact/mesh_shapes.hpp>
 
@@ -31,19 +32,14 @@ using contact::Mesh;
 using contact::NamedFeature;
 using contact::Triangle;
 using contact::Vector3;
+using drawn::anywhere;
+using drawn::whole;
 using generators::Random;
 using oracle::Rational;
 using oracle::Vector;
 
 // ---------------------------------------------------------------- input
 
-Vector3<double> whole(Random& random, int size) {
-  return {double(random.integer(-size, size)), double(random.integer(-size, size)),
-          double(random.integer(-size, size))};
-}
-Vector3<double> anywhere(Random& random) {
-  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-}
 Mesh<double> tetrahedron(const std::array<Vector3<double>, 4>& v) {
   Mesh<double> mesh;
   mesh.vertices.assign(v.begin(), v.end());
@@ -51,10 +47,6 @@ Mesh<double> tetrahedron(const std::array<Vector3<double>, 4>& v) {
   return mesh;
 }
 Mesh<double> one_triangle(const Triangle<double>& t) { return {{t.a, t.b, t.c}, {{0, 1, 2}}}; }
-Mesh<double> moved(Mesh<double> mesh, const Vector3<double>& d) {
-  for (auto& x : mesh.vertices) x += d;
-  return mesh;
-}
 /// A body on the grid, at times flat, or a box.
 Mesh<double> whole_body(Random& random) {
   if (random.chance(0.3)) {
@@ -74,13 +66,13 @@ Moving random_bodies(Random& random) {
   };
   const Mesh<double> resting = body();
   const Vector3<double> to = anywhere(random);
-  return {moved(body(), Vector3<double>(-3, 0, 0)), Vector3<double>(to + Vector3<double>(4, 0, 0)),
-          resting};
+  return {contact::translated<double>(body(), Vector3<double>(-3, 0, 0)),
+          Vector3<double>(to + Vector3<double>(4, 0, 0)), resting};
 }
 Moving whole_bodies(Random& random) {
   const Mesh<double> resting = whole_body(random);
   const Vector3<double> to(random.integer(8, 12), random.integer(-3, 3), random.integer(-1, 1));
-  return {moved(whole_body(random), Vector3<double>(-6, 0, 0)), to, resting};
+  return {contact::translated<double>(whole_body(random), Vector3<double>(-6, 0, 0)), to, resting};
 }
 
 // ---------------------------------------------------------------- truth
@@ -332,7 +324,8 @@ TEST_CASE("the first contact of bodies on the grid is the same far from the orig
     const Vector3<double> far(std::ldexp(1.0, random.integer(20, 50)),
                               std::ldexp(-1.0, random.integer(20, 50)), 0);
     const auto away =
-        contact::first_contact(moved(m.moving, far), m.displacement, moved(m.resting, far));
+        contact::first_contact(contact::translated<double>(m.moving, far), m.displacement,
+                               contact::translated<double>(m.resting, far));
     REQUIRE(away.has_value() == first.has_value());
     if (!first) continue;
     ++found;
@@ -409,7 +402,7 @@ TEST_CASE("bodies that pass each other, or do not move far enough, have no first
 TEST_CASE("a first contact that differs from another by less than an ulp is found") {
   // Two spikes come down on a plate that is tilted by 2^-60.
   Mesh<double> spikes = tetrahedron({Vector3<double>(0, 0, 1), {-1, -1, 2}, {1, -1, 2}, {0, 1, 2}});
-  spikes = contact::joined(spikes, moved(spikes, {4, 0, 0}));
+  spikes = contact::joined(spikes, contact::translated<double>(spikes, {4, 0, 0}));
   const Mesh<double> plate{{{-9, -9, 0}, {9, -9, 0}, {0x1p4, 9, 0x1p-56}, {-0x1p4, 9, -0x1p-56}},
                            {{0, 1, 2}, {0, 2, 3}}};
   const auto first = contact::first_contact(spikes, {0, 0, -2}, plate);
@@ -444,7 +437,8 @@ TEST_CASE("without continuity, the end of a step can have an edge through a face
   const Vector3<double> jump(0, 0, -3);
   const auto before = contact::first_contact(blade, {0, 0, 0}, plate);
   CHECK(!before);
-  const auto after = contact::first_contact(moved(blade, jump), {0, 0, 0}, plate);
+  const auto after =
+      contact::first_contact(contact::translated<double>(blade, jump), {0, 0, 0}, plate);
   REQUIRE(after);
   CHECK(after->realised_by.empty());
   // The continuous motion between the two has a vertex on a face.

@@ -21,26 +21,12 @@ using oracle::Rational;
 using Point = contact::Vector3<double>;
 using Contacts = std::vector<MeshContact<double>>;
 
-Mesh<double> moved(Mesh<double> mesh, const Point& by) {
-  for (Point& v : mesh.vertices) v += by;
-  return mesh;
-}
-Mesh<double> as_soup(const Mesh<double>& mesh) {
-  Mesh<double> soup;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto [a, b, c] = contact::triangle_of(mesh, i);
-    const int at = static_cast<int>(soup.vertices.size());
-    soup.vertices.insert(soup.vertices.end(), {a, b, c});
-    soup.triangles.push_back({at, at + 1, at + 2});
-  }
-  return soup;
-}
 Mesh<double> cube(const Point& low) { return contact::box_mesh(low, low + Point(4, 4, 4)); }
 /// A pyramid with its apex below, over a square of side 2.
 Mesh<double> pyramid(const Point& apex) {
   Mesh<double> mesh{{{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}, {0, 0, 0}},
                     {{0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}, {0, 1, 2}, {0, 2, 3}}};
-  return moved(mesh, apex);
+  return contact::translated<double>(mesh, apex);
 }
 
 /// How many contacts there are of each kind: p2p, p2e, p2f, e2e, e2f, f2f.
@@ -80,9 +66,11 @@ TEST_CASE("bodies on a cube have the contacts that one counts by hand") {
   const Mesh<double> roof = contact::prism_mesh({{-1, 0}, {0, -1}, {1, 0}}, 1, 3);
   Mesh<double> keel = roof;  // an edge below, along x
   for (Point& v : keel.vertices) v = Point(v.z(), v.x() + 2, v.y() + 5);
-  CHECK(kinds(below, keel) == Kinds{0, 0, 2, 0, 0, 0});                     // an edge on a face
-  CHECK(kinds(below, moved(keel, {2, 0, 0})) == Kinds{0, 0, 1, 1, 0, 0});   // over the border
-  CHECK(kinds(below, moved(keel, {0, -2, 0})) == Kinds{0, 2, 0, 0, 0, 0});  // along an edge
+  CHECK(kinds(below, keel) == Kinds{0, 0, 2, 0, 0, 0});  // an edge on a face
+  CHECK(kinds(below, contact::translated<double>(keel, {2, 0, 0})) ==
+        Kinds{0, 0, 1, 1, 0, 0});  // over the border
+  CHECK(kinds(below, contact::translated<double>(keel, {0, -2, 0})) ==
+        Kinds{0, 2, 0, 0, 0, 0});  // along an edge
 }
 
 TEST_CASE("each pair of triangles finds a contact again, and once it is in the list") {
@@ -262,7 +250,7 @@ Mesh<double> any_body(Random& random) {
     for (int i = 0; i < turns; ++i) v = Point(v.z(), v.x(), v.y());
   }
   const double x = in(-2, 2), y = in(-2, 2), z = in(-2, 2);
-  return moved(mesh, {x, y, z});
+  return contact::translated<double>(mesh, {x, y, z});
 }
 
 TEST_CASE("the contacts of bodies that touch, overlap or cross are right in fractions") {
@@ -338,8 +326,9 @@ TEST_CASE("a soup has the contacts of the mesh that it was") {
     const auto [a, b] =
         m % 10 == 0 ? two_tori(0.7) : std::array{any_body(random), any_body(random)};
     const auto right = nameless(mesh_contacts(a, b));
-    REQUIRE(nameless(mesh_contacts(as_soup(a), as_soup(b))) == right);
-    REQUIRE(contacts_of_pairs(as_soup(a), as_soup(b)).size() == contacts_of_pairs(a, b).size());
+    REQUIRE(nameless(mesh_contacts(contact::triangle_soup(a), contact::triangle_soup(b))) == right);
+    REQUIRE(contacts_of_pairs(contact::triangle_soup(a), contact::triangle_soup(b)).size() ==
+            contacts_of_pairs(a, b).size());
   }
 }
 

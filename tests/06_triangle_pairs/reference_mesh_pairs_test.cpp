@@ -24,10 +24,6 @@ using lines_at_meshes::whole;
 using Point = contact::Vector3<double>;
 using Pairs = std::vector<TrianglePair>;
 
-Mesh<double> moved(Mesh<double> mesh, const Point& by) {
-  for (Point& v : mesh.vertices) v += by;
-  return mesh;
-}
 /// The x axis becomes y, y becomes z, z becomes x.
 Mesh<double> turned(Mesh<double> mesh) {
   for (Point& v : mesh.vertices) v = Point(v.z(), v.x(), v.y());
@@ -39,16 +35,6 @@ Mesh<double> in_steps(Mesh<double> mesh, double steps) {
     for (double& x : v) x = std::round(steps * x);
   }
   return mesh;
-}
-Mesh<double> as_soup(const Mesh<double>& mesh) {
-  Mesh<double> soup;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto [a, b, c] = contact::triangle_of(mesh, i);
-    const int at = static_cast<int>(soup.vertices.size());
-    soup.vertices.insert(soup.vertices.end(), {a, b, c});
-    soup.triangles.push_back({at, at + 1, at + 2});
-  }
-  return soup;
 }
 Triangle<double> triangle(const Mesh<double>& mesh, int i) {
   return contact::triangle_of(mesh, static_cast<std::size_t>(i));
@@ -65,7 +51,7 @@ std::array<Mesh<double>, 2> two_of_kind(Random& random, int kind) {
   if (how == 2) return {first, turned(first)};
   Point v = first.vertices[0];
   if (!contact::all_finite(v)) v = Point::Ones();
-  return {first, moved(first, v / 4)};
+  return {first, contact::translated<double>(first, v / 4)};
 }
 
 template <class S>
@@ -116,7 +102,7 @@ TEST_CASE("the pairs of meshes with whole coordinates are right in integers") {
     const std::array<Mesh<double>, 4> meshes{
         soup(random, 12, 40, dense), soup(random, 30, 40, wide),
         in_steps(contact::torus_mesh(1, 0.4, 10, 6), 4),
-        moved(contact::box_mesh({0, 0, 0}, {4, 4, 4}), whole(random, 4))};
+        contact::translated<double>(contact::box_mesh({0, 0, 0}, {4, 4, 4}), whole(random, 4))};
     const auto& a = meshes[static_cast<std::size_t>(random.integer(0, 3))];
     const Mesh<double> b = turned(meshes[static_cast<std::size_t>(random.integer(0, 3))]);
     const Pairs right = by_integers(a, b);
@@ -167,7 +153,7 @@ TEST_CASE("a small mesh far from the middle of a large one meets what it touches
     const Point at = lines_at_meshes::point_at(random, contact::triangle_of(large, i));
     const double size = std::ldexp(1.0, random.integer(-40, 10));
     const Mesh<double> small =
-        moved(lines_at_meshes::scaled(contact::octahedron_mesh(1), size), at);
+        contact::translated<double>(lines_at_meshes::scaled(contact::octahedron_mesh(1), size), at);
     const Pairs right = meeting_triangles(large, small);
     REQUIRE(meeting_triangles(large_tree, MeshTree(small)) == right);
     met += right.empty() ? 0 : 1;
@@ -178,8 +164,8 @@ TEST_CASE("a small mesh far from the middle of a large one meets what it touches
 TEST_CASE("a small mesh that is near no triangle of a large one is not opened") {
   PairCounts counts;
   const MeshTree large(contact::ball_mesh(1, 5));
-  const MeshTree small(
-      moved(lines_at_meshes::scaled(contact::ball_mesh(1, 5), 0x1p-10), {0.5, 0.5, 0.5}));
+  const MeshTree small(contact::translated<double>(
+      lines_at_meshes::scaled(contact::ball_mesh(1, 5), 0x1p-10), {0.5, 0.5, 0.5}));
   CHECK_FALSE(any_meeting(large, small, &counts));
   CHECK(counts.boxes < 200);
 }
@@ -223,7 +209,7 @@ TEST_CASE("triangles that are not finite are left out of pairs") {
 
 TEST_CASE("boxes that are apart cost one comparison") {
   const MeshTree near_tree(contact::ball_mesh(1, 4));
-  const MeshTree far_tree(moved(contact::ball_mesh(1, 4), {2.5, 0, 0}));
+  const MeshTree far_tree(contact::translated<double>(contact::ball_mesh(1, 4), {2.5, 0, 0}));
   PairCounts counts;
   CHECK(meeting_triangles(near_tree, far_tree, &counts).empty());
   CHECK(counts.boxes == 1);
@@ -231,7 +217,8 @@ TEST_CASE("boxes that are apart cost one comparison") {
 }
 
 TEST_CASE("counts of boxes and triangles are added, and by each with each are all pairs") {
-  const Mesh<double> ball = contact::ball_mesh(1, 2), other = moved(ball, {0.5, 0.25, 0.125});
+  const Mesh<double> ball = contact::ball_mesh(1, 2),
+                     other = contact::translated<double>(ball, {0.5, 0.25, 0.125});
   PairCounts all, tree;
   const Pairs pairs = meeting_triangles(ball, other, &all);
   CHECK(all.boxes == ball.triangles.size() * other.triangles.size());
@@ -294,7 +281,7 @@ TEST_CASE("the pairs of one mesh that meet beyond what they share are right in f
                                    [&random, size](int) { return whole(random, size); });
     const Pairs right = self_in_fractions(mesh);
     REQUIRE(self_meeting_triangles(mesh) == right);
-    REQUIRE(self_meeting_triangles(as_soup(mesh)) == right);
+    REQUIRE(self_meeting_triangles(contact::triangle_soup(mesh)) == right);
     REQUIRE(self_meeting_triangles(contact::rounded_mesh<float>(mesh)) == right);
   }
 }
@@ -305,13 +292,13 @@ TEST_CASE("surfaces that do not cross themselves have no pair that meets") {
         contact::star_mesh(0.5, 1, 2), contact::box_mesh({0, 0, 0}, {1, 2, 3}),
         contact::octahedron_mesh(1), lines_at_meshes::flat_square(8, 1)}) {
     CHECK(self_meeting_triangles(mesh).empty());
-    CHECK(self_meeting_triangles(as_soup(mesh)).empty());
+    CHECK(self_meeting_triangles(contact::triangle_soup(mesh)).empty());
   }
 }
 
 TEST_CASE("two meshes as one: the pairs that meet are those between them") {
   const Mesh<double> a = contact::torus_mesh(1, 0.4, 30, 15);
-  const Mesh<double> b = moved(turned(a), {0.7, 0, 0.1});
+  const Mesh<double> b = contact::translated<double>(turned(a), {0.7, 0, 0.1});
   Pairs right = meeting_triangles(MeshTree(a), MeshTree(b));
   for (TrianglePair& pair : right) pair.of_second += count(a);
   CHECK(right.size() > 50);

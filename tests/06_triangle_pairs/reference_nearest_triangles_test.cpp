@@ -1,5 +1,6 @@
 // The kinds of contact and the nearest features of two triangles, against fractions.
 #include <06_triangle_pairs/common_points_truth.hpp>
+#include <06_triangle_pairs/drawn.hpp>
 #include <contact/nearest_triangles.hpp>
 
 #include <support/generators.hpp>
@@ -24,17 +25,11 @@ using contact::Feature;
 using contact::FeatureKind;
 using contact::Triangle;
 using contact::Vector3;
+using drawn::anywhere;
+using drawn::whole;
 using generators::Random;
 using oracle::Rational;
 using oracle::Vector;
-
-Vector3<double> whole(Random& random, int size) {
-  return {double(random.integer(-size, size)), double(random.integer(-size, size)),
-          double(random.integer(-size, size))};
-}
-Vector3<double> anywhere(Random& random) {
-  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-}
 
 // ---------------------------------------------------------------- kinds
 

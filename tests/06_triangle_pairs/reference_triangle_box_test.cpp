@@ -1,4 +1,5 @@
 // A triangle and a box: against the box's surface, in integers and in exact arithmetic.
+#include <06_triangle_pairs/drawn.hpp>
 #include <06_triangle_pairs/pair_truth.hpp>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -16,6 +17,7 @@ using contact::Aabb;
 using contact::Triangle;
 using contact::triangle_meets_box;
 using contact::triangle_meets_box_rounded;
+using drawn::whole;
 using generators::Random;
 using Point = contact::Vector3<double>;
 
@@ -67,11 +69,6 @@ struct Case {
   Triangle<double> triangle;
   Aabb<double> box;
 };
-/// From low to high, both whole.
-Point whole(Random& random, int size) {
-  return Point{double(random.integer(-size, size)), double(random.integer(-size, size)),
-               double(random.integer(-size, size))};
-}
 Aabb<double> box_between(const Point& p, const Point& q) { return {p.cwiseMin(q), p.cwiseMax(q)}; }
 
 /// On a small grid: coincidences of every kind, flat boxes, triangles without area.

@@ -1,6 +1,7 @@
 // What two triangles have in common: kind, features, positions and their bound, against fractions;
 // every order of the vertices and of the triangles; whole lattices.
 #include <06_triangle_pairs/common_points_truth.hpp>
+#include <06_triangle_pairs/drawn.hpp>
 #include <06_triangle_pairs/pair_families.hpp>
 #include <06_triangle_pairs/pair_truth.hpp>
 #include <contact/triangle_intersection.hpp>
@@ -31,6 +32,7 @@ using contact::FeatureKind;
 using contact::Triangle;
 using contact::TriangleIntersection;
 using contact::Vector3;
+using drawn::whole;
 using generators::Random;
 using oracle::Rational;
 
@@ -43,10 +45,6 @@ Triangle<S> moved(const Triangle<S>& t, const Vector3<S>& d) {
 template <class S>
 Triangle<S> scaled(const Triangle<S>& t, S factor) {
   return {t.a * factor, t.b * factor, t.c * factor};
-}
-Vector3<double> whole(Random& random, int size) {
-  return {double(random.integer(-size, size)), double(random.integer(-size, size)),
-          double(random.integer(-size, size))};
 }
 pair_families::Pair<double> whole_pair(Random& random, int i) {
   const int size = 1 + i % 4;

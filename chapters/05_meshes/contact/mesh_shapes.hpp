@@ -271,6 +271,26 @@ Mesh<S> transformed(Mesh<S> mesh, const CoordinateFrame<S>& frame) {
   return mesh;
 }
 
+/// The mesh moved by a vector, in m; each coordinate is rounded once.
+template <Ring S>
+Mesh<S> translated(Mesh<S> mesh, const Vector3<S>& by) {
+  for (Vector3<S>& v : mesh.vertices) v += by;
+  return mesh;
+}
+
+/// The same triangles as a soup: each with three vertices of its own.
+template <Ring S>
+Mesh<S> triangle_soup(const Mesh<S>& mesh) {
+  Mesh<S> soup;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle<S> t = triangle_of(mesh, i);
+    const int n = static_cast<int>(soup.vertices.size());
+    soup.vertices.insert(soup.vertices.end(), {t.a, t.b, t.c});
+    soup.triangles.push_back({n, n + 1, n + 2});
+  }
+  return soup;
+}
+
 /// Both meshes as one: the vertices and triangles of the second after those of the first. Nothing
 /// is cut or merged.
 template <Ring S>

@@ -34,13 +34,7 @@ int main() {
 
   // [soup]
   // A file of triangles with their own vertices is open everywhere, until equal ones are merged.
-  Mesh<double> soup;
-  for (std::size_t i = 0; i < house.triangles.size(); ++i) {
-    const Triangle<double> t = triangle_of(house, i);
-    const int n = static_cast<int>(soup.vertices.size());
-    soup.vertices.insert(soup.vertices.end(), {t.a, t.b, t.c});
-    soup.triangles.push_back({n, n + 1, n + 2});
-  }
+  const Mesh<double> soup = triangle_soup(house);
   std::printf("soup: %d boundary edges of %zu\n",
               check_mesh(soup).count(MeshFaultKind::boundary_edge), mesh_edges(soup).size());
   const Mesh<double> merged = merge_equal_vertices(soup);

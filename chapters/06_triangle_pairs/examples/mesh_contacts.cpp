@@ -8,24 +8,6 @@
 
 using namespace contact;
 
-/// The mesh moved.
-Mesh<double> moved(Mesh<double> mesh, const Vector3<double>& by) {
-  for (auto& v : mesh.vertices) v += by;
-  return mesh;
-}
-
-/// Each triangle with vertices of its own.
-Mesh<double> soup(const Mesh<double>& mesh) {
-  Mesh<double> result;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto [a, b, c] = triangle_of(mesh, i);
-    const int n = static_cast<int>(result.vertices.size());
-    result.vertices.insert(result.vertices.end(), {a, b, c});
-    result.triangles.push_back({n, n + 1, n + 2});
-  }
-  return result;
-}
-
 // [show]
 void show(const char* name, const Mesh<double>& a, const Mesh<double>& b) {
   const MeshTree<double> tree_a(a), tree_b(b);
@@ -49,19 +31,19 @@ int main() {
   std::printf("                         each with    two trees        pairs           once\n");
   std::printf("                           each   boxes  tested  meet  points  contacts\n");
   const Mesh<double> box = box_mesh({0, 0, 0}, {3, 4, 2});
-  show("box on box", box, moved(box, {0, 0, 2}));
-  show("shifted by a half", box, moved(box, {1.5, 0, 2}));
-  show("along both sides", box, moved(box, {1, 1, 2}));
-  show("pushed in", box, moved(box, {1, 1, 1.5}));
-  show("edge on edge", box, moved(box, {3, 0, 2}));
+  show("box on box", box, translated(box, {0, 0, 2}));
+  show("shifted by a half", box, translated(box, {1.5, 0, 2}));
+  show("along both sides", box, translated(box, {1, 1, 2}));
+  show("pushed in", box, translated(box, {1, 1, 1.5}));
+  show("edge on edge", box, translated(box, {3, 0, 2}));
   const Mesh<double> tip = octahedron_mesh(1);
-  show("a tip on a face", box, moved(tip, {1, 1, 3}));
-  show("a tip on a diagonal", box, moved(tip, {1.5, 2, 3}));
+  show("a tip on a face", box, translated(tip, {1, 1, 3}));
+  show("a tip on a diagonal", box, translated(tip, {1.5, 2, 3}));
   const Mesh<double> torus = torus_mesh(1, 0.375, 160, 80);
   Mesh<double> upright = torus;
   for (auto& v : upright.vertices) v = Vector3<double>(v.x() + 0.7, -v.z(), v.y() + 0.1);
   show("two tori", torus, upright);
-  show("two tori, linked", torus, moved(upright, {0.3, 0, 0}));
-  show("boxes as soups", soup(box), soup(moved(box, {1, 1, 2})));
-  show("tori as soups", soup(torus), soup(upright));
+  show("two tori, linked", torus, translated(upright, {0.3, 0, 0}));
+  show("boxes as soups", triangle_soup(box), triangle_soup(translated(box, {1, 1, 2})));
+  show("tori as soups", triangle_soup(torus), triangle_soup(upright));
 }
