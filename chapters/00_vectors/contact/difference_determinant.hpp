@@ -260,10 +260,11 @@ class Multiples {
  public:
   /// @param longest of all differences, rounded
   /// @param largest of all magnitudes
-  Multiples(double longest, double largest) {
+  /// @param bits of the longest difference in units, at most
+  Multiples(double longest, double largest, int bits) {
     if (!(largest < 0x1p900 && longest > 0x1p-900)) return;
     const auto above = [](double x) { return stored_exponent(x) - 1022; };
-    const int exponent = std::max(above(longest) - 41, above(largest) - 62);
+    const int exponent = std::max(above(longest) - bits, above(largest) - 62);
     unit_ = power_of_two(exponent);
     per_unit_ = power_of_two(-exponent);
   }
@@ -298,7 +299,7 @@ std::optional<int> whole_volume_sign(const Point& a, const Point& b, const Point
     longest = std::max(longest, high - low);
     largest = std::max(largest, std::max(high, -low));
   }
-  Multiples multiples(longest, largest);
+  Multiples multiples(longest, largest, 41);
   if (!multiples.scalable()) return std::nullopt;
   std::array<Integer, 3> p, q, r;
   for (int k = 0; k < 3; ++k) {

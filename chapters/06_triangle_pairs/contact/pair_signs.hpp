@@ -79,22 +79,15 @@ class Whole {
     const Vector3<double> extents = high - low;
     const double longest = extents.maxCoeff();
     const double largest = std::max(high.cwiseAbs().maxCoeff(), low.cwiseAbs().maxCoeff());
-    if (!(largest < 0x1p900 && longest > 0x1p-900)) return std::nullopt;
-    using difference_detail::power_of_two;
-    const auto above = [](double x) { return difference_detail::stored_exponent(x) - 1022; };
     // The longest side is less than 2^36 units, and the largest coordinate less than 2^62.
-    const int exponent = std::max(above(longest) - 36, above(largest) - 62);
-    const double unit = power_of_two(exponent), per_unit = power_of_two(-exponent);
+    difference_detail::Multiples multiples(longest, largest, 36);
+    if (!multiples.scalable()) return std::nullopt;
     Whole made;
-    bool whole = true;
     for (std::size_t i = 0; i < 6; ++i) {
       for (int k = 0; k < 3; ++k) {
-        const double x = vertices[i][k];
-        const auto multiple = static_cast<std::int64_t>(x * per_unit);
-        made.at_[i][static_cast<std::size_t>(k)] = multiple;
-        whole = whole && static_cast<double>(multiple) * unit == x;
+        made.at_[i][static_cast<std::size_t>(k)] = multiples(vertices[i][k]);
       }
-      if (!whole) return std::nullopt;
+      if (!multiples.all_whole()) return std::nullopt;
     }
     return made;
   }
