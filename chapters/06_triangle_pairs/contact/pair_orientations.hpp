@@ -63,7 +63,8 @@ inline Apex apex(const Sides& s) {
     }
     return found;
   }();
-  return table[static_cast<std::size_t>(s[0] + 3 * s[1] + 9 * s[2] + 13)];
+  const int row = s[0] + 3 * s[1] + 9 * s[2] + 13;
+  return table[static_cast<std::size_t>(row)];
 }
 
 /// The triangle with the vertex of that index first, in the same orientation.
