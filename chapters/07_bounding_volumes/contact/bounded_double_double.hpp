@@ -6,6 +6,7 @@
 #include <cmath>
 #include <contact/error_free.hpp>
 #include <contact/running_error.hpp>
+#include <limits>
 
 namespace contact {
 

@@ -4,6 +4,7 @@
 /// box.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <contact/aabb.hpp>

@@ -12,6 +12,7 @@
 #include <contact/exact.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/local_points.hpp>
+#include <contact/outward.hpp>
 #include <contact/running_error.hpp>
 #include <contact/shapes.hpp>
 #include <contact/support_ball.hpp>
@@ -21,6 +22,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace contact {
 
