@@ -140,11 +140,33 @@ inline std::vector<Vector3<double>> square_on(const HalfSpace& side, double reac
   return {middle + x + y, middle - x + y, middle - x - y, middle + x - y};
 }
 
+/// A convex polygon without vertices that are closer than `room` to the one before or to the line
+/// from that to the next; nothing if it is no wider than that.
+inline std::vector<Vector3<double>> cleaned(std::vector<Vector3<double>> polygon, double room) {
+  for (std::size_t i = 0; i < polygon.size() && polygon.size() > 2;) {
+    const std::size_t n = polygon.size();
+    const Vector3<double> in = polygon[i] - polygon[(i + n - 1) % n];
+    const Vector3<double> through = polygon[(i + 1) % n] - polygon[(i + n - 1) % n];
+    const Vector3<double> twice_area = in.cross(through);
+    const double length = through.cwiseAbs().maxCoeff();
+    const bool needed =
+        in.cwiseAbs().maxCoeff() > room && twice_area.cwiseAbs().maxCoeff() > 2 * room * length;
+    if (needed) {
+      ++i;
+    } else {
+      polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
+      i = i > 0 ? i - 1 : 0;
+    }
+  }
+  if (polygon.size() < 3) polygon.clear();
+  return polygon;
+}
+
 }  // namespace detail
 
 // [kdop-facets]
-/// The facets of a k-DOP as polygons, counter-clockwise from outside; those without area are left
-/// out.
+/// The facets of a k-DOP as polygons, counter-clockwise from outside. Planes that it only touches
+/// at a vertex or an edge have none.
 ///
 /// Rounded: each facet is a large square of its plane, clipped by the other half-spaces, so a
 /// vertex is a few u of the size of the k-DOP and of its distance from the origin off, times the
@@ -162,7 +184,8 @@ std::vector<std::vector<Vector3<double>>> kdop_facets(const Kdop<S>& dop) {
     for (std::size_t j = 0; j < sides.size() && !facet.empty(); ++j) {
       if (j != i) facet = detail::clipped(facet, sides[j]);
     }
-    if (facet.size() > 2) facets.push_back(facet);
+    facet = detail::cleaned(facet, 0x1p-44 * reach);
+    if (!facet.empty()) facets.push_back(facet);
   }
   return facets;
 }
@@ -231,7 +254,7 @@ std::vector<Vector2<double>> plane_dop_vertices(const Kdop<S>& dop) {
   for (const detail::HalfSpace& side : detail::half_spaces_of(body)) {
     if (side.normal.z() == 0) top = detail::clipped(top, side);
   }
-  if (top.size() < 3) return vertices;
+  top = detail::cleaned(top, 0x1p-44 * detail::bound_on_length(body));
   for (const Vector3<double>& v : top) vertices.push_back(v.head<2>());
   return vertices;
 }
