@@ -23,24 +23,28 @@ namespace contact {
 
 namespace principal_axes_detail {
 
-/// Coordinates moved and scaled to at most about 1: points (p − from) · 2^power.
+/// Coordinates moved and scaled by a power of two, to about 1.
 template <std::floating_point S>
 struct Scaled {
   Vector3<S> from;  ///< the centre of the box of the points
-  int power;        ///< of two; 0 if all points are equal
+  int power = 0;    ///< of two; 0 if all points are equal
 
-  explicit Scaled(const Aabb<S>& bounds) : from(bounds.low / S(2) + bounds.high / S(2)), power(0) {
+  /// @param bounds the box of the points
+  explicit Scaled(const Aabb<S>& bounds) : from(bounds.low / S(2) + bounds.high / S(2)) {
     const S size = (bounds.high / S(2) - bounds.low / S(2)).maxCoeff();
-    if (size > S(0)) {
-      std::frexp(size, &power);
-      power = -power;
-    }
+    if (size > S(0)) std::frexp(size, &power);
+    power = -power;
+    // One factor may be out of range where two are not.
+    first_ = std::ldexp(S(1), power / 2);
+    second_ = std::ldexp(S(1), power - power / 2);
   }
+  /// (p − from) · 2^power
   Vector3<S> operator()(const Vector3<S>& p) const {
-    const Vector3<S> moved = p - from;
-    return {std::ldexp(moved.x(), power), std::ldexp(moved.y(), power),
-            std::ldexp(moved.z(), power)};
+    return Vector3<S>(p - from) * first_ * second_;
   }
+
+ private:
+  S first_, second_;
 };
 
 // [jacobi]

@@ -1,213 +1,277 @@
 /// @file
-/// A small oriented box around points: by the hull, candidates and descent.
+/// A small oriented box around points: by their hull, many candidates and descent.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <contact/box_around.hpp>
+#include <contact/box_search.hpp>
 #include <contact/convex_hull.hpp>
 #include <contact/exact_ray_triangle.hpp>
-#include <contact/frame.hpp>
 #include <contact/hull.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/principal_axes.hpp>
-#include <contact/smallest_rectangle.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
 
 namespace smallest_box_detail {
 
-using Point = Vector3<double>;
-using Flat = Vector2<double>;
+using box_search::Candidate;
+using box_search::Point;
+using box_search::Search;
 
-/// Axes, and the volume of the box along them in the units of the search.
-struct Candidate {
-  Matrix3<double> axes = Matrix3<double>::Identity();
-  double volume = std::numeric_limits<double>::infinity();
-};
+/// Hulls with at most this many vertices are searched as they are; of larger ones, vertices that
+/// are extreme in some directions.
+inline constexpr std::size_t all_vertices = 256;
+/// Hulls with at most this many vertices are searched as they are at the end.
+inline constexpr std::size_t most_vertices = 4096;
+/// As many faces are tried, the largest first.
+inline constexpr std::size_t most_faces = 512;
+/// All pairs of edges are tried if there are at most this many edges.
+inline constexpr std::size_t most_edges = 24;
+/// As many candidates are improved: more of small hulls, where that costs little.
+inline constexpr std::size_t most_starts = 10, most_starts_of_small = 30, small = 32;
 
-/// The volume of the box of some points along three axes, rounded.
-inline double volume_along(const std::vector<Point>& points, const Matrix3<double>& axes) {
-  double volume = 1;
-  for (int i = 0; i < 3; ++i) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Point& p : points) {
-      const double y = axes(0, i) * p[0] + axes(1, i) * p[1] + axes(2, i) * p[2];
-      low = std::min(low, y);
-      high = std::max(high, y);
-    }
-    volume *= high - low;
-  }
-  return volume;
-}
-
-/// The hull of points in the plane with rounded decisions, counter-clockwise, without memory of its
-/// own. @param points are sorted @param hull receives the vertices
-inline void rounded_hull(std::vector<Flat>& points, std::vector<Flat>& hull) {
-  std::sort(points.begin(), points.end(), [](const Flat& a, const Flat& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  hull.clear();
-  const auto add = [&hull](const Flat& p, std::size_t start) {
-    while (hull.size() >= start + 2 &&
-           !(orientation<double>(hull[hull.size() - 2], hull.back(), p) > 0)) {
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const Flat& p : points) add(p, 0);
-  const std::size_t lower = hull.size() - 1;
-  hull.pop_back();
-  for (std::size_t i = points.size(); i-- > 0;) add(points[i], lower);
-  hull.pop_back();
-}
-
-/// The direction of the smallest rectangle around points of the plane, and its area, rounded.
-struct Turn {
-  Flat along{1, 0};
-  double area = std::numeric_limits<double>::infinity();
-};
-inline Turn smallest_turn(const std::vector<Flat>& hull) {
-  Turn best;
-  const std::size_t n = hull.size();
-  const auto at = [&hull, n](std::size_t i) -> const Flat& { return hull[i < n ? i : i - n]; };
-  const auto next = [n](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
-  std::size_t first = 0, last = 0, top = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Flat a = at(i), e = at(next(i)) - a;
-    const double squared = e.dot(e);
-    if (!(squared > 0)) continue;
-    const Flat n_e(-e.y(), e.x());
-    const auto move = [&](std::size_t& vertex, const Flat& direction) {
-      for (std::size_t steps = 0; steps < n; ++steps) {
-        if (!(direction.dot(Flat(at(next(vertex)) - at(vertex))) > 0)) return;
-        vertex = next(vertex);
+/// Directions of integers up to `most`, one of each pair of opposite ones.
+inline std::vector<Point> whole_directions(int most) {
+  std::vector<Point> directions;
+  for (int x = 0; x <= most; ++x) {
+    for (int y = x > 0 ? -most : 0; y <= most; ++y) {
+      for (int z = x > 0 || y > 0 ? -most : 1; z <= most; ++z) {
+        if (std::gcd(x, std::gcd(y, z)) == 1) directions.push_back(Point(x, y, z));
       }
-    };
-    if (i == 0) last = next(i);
-    move(last, e);
-    if (i == 0) top = last;
-    move(top, n_e);
-    if (i == 0) first = top;
-    move(first, -e);
-    const double area = e.dot(Flat(at(last) - at(first))) * n_e.dot(Flat(at(top) - a)) / squared;
-    if (area < best.area) best = {e / std::sqrt(squared), area};
+    }
+  }
+  return directions;
+}
+
+/// Those of the points that are extreme in the direction of a multiple of (x, y, z) with integers
+/// up to 3.
+inline std::vector<Point> extreme_points(const std::vector<Point>& points) {
+  std::vector<std::size_t> chosen;
+  for (const Point& direction : whole_directions(3)) {
+    const auto along = [&](std::size_t i) { return direction.dot(points[i]); };
+    std::size_t least = 0, most = 0;
+    double low = along(0), high = low;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double y = along(i);
+      if (y < low) low = y, least = i;
+      if (y > high) high = y, most = i;
+    }
+    chosen.insert(chosen.end(), {least, most});
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::vector<Point> extreme;
+  for (const std::size_t i : chosen) extreme.push_back(points[i]);
+  return extreme;
+}
+
+/// The area of a face as a normal, twice as long: half the sum of its triangles' cross products.
+inline Point area_vector(std::span<const int> face, const std::vector<Point>& points) {
+  const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(face[i])]; };
+  Point sum = Point::Zero();
+  for (std::size_t i = 2; i < face.size(); ++i) {
+    sum += Point(at(i - 1) - at(0)).cross(Point(at(i) - at(0)));
+  }
+  return sum;
+}
+
+/// The normals of the largest faces.
+inline std::vector<Point> face_normals(const Hull& hull, const std::vector<Point>& points,
+                                       std::size_t count) {
+  std::vector<std::pair<double, int>> faces;
+  std::vector<Point> all;
+  for (int f = 0; f < hull.face_count(); ++f) {
+    all.push_back(area_vector(hull.face(f), points));
+    faces.emplace_back(-all.back().dot(all.back()), f);
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<Point> normals;
+  for (const auto& [size, f] : faces) {
+    if (size < 0 && normals.size() < count) normals.push_back(all[static_cast<std::size_t>(f)]);
+  }
+  return normals;
+}
+
+/// The edges of a hull as vectors, if there are at most `count`.
+inline std::vector<Point> edges(const Hull& hull, const std::vector<Point>& points,
+                                std::size_t count) {
+  std::vector<Point> found;
+  if (static_cast<std::size_t>(hull.edge_count()) > count) return found;
+  for (int f = 0; f < hull.face_count(); ++f) {
+    const auto face = hull.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const int from = face[i], to = face[(i + 1) % face.size()];
+      if (from < to) {
+        found.push_back(points[static_cast<std::size_t>(to)] -
+                        points[static_cast<std::size_t>(from)]);
+      }
+    }
+  }
+  return found;
+}
+
+/// Candidates for the axes: along faces, along pairs of edges, and in all directions.
+inline std::vector<Candidate> starts(Search& search, const Hull& hull,
+                                     const std::vector<Point>& points) {
+  std::vector<Candidate> found;
+  for (const Point& normal : face_normals(hull, points, most_faces)) {
+    found.push_back(search.about(normal));
+  }
+  const std::vector<Point> along = edges(hull, points, most_edges);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Point normal = along[i].cross(along[j]);
+      if (normal.dot(normal) > 1e-20) found.push_back(search.about(normal));
+    }
+  }
+  for (const Point& direction : whole_directions(2)) found.push_back(search.about(direction));
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.volume < b.volume; });
+  return found;
+}
+
+/// The first candidates of which no two have about the same axes.
+inline std::vector<Candidate> different(const std::vector<Candidate>& sorted, std::size_t count) {
+  std::vector<Candidate> chosen;
+  for (const Candidate& candidate : sorted) {
+    if (chosen.size() == count) break;
+    const bool known = std::any_of(chosen.begin(), chosen.end(), [&](const Candidate& other) {
+      return box_search::about_equal(candidate.axes, other.axes);
+    });
+    if (!known) chosen.push_back(candidate);
+  }
+  return chosen;
+}
+
+/// The better of two.
+inline const Candidate& smaller(const Candidate& a, const Candidate& b) {
+  return b.volume < a.volume ? b : a;
+}
+
+/// Improves a candidate on some of the points, and extends these by the extremes of all, until both
+/// have the same box; then it is as good for all points as for some.
+inline Candidate improved_on_all(Search& search, Candidate candidate,
+                                 const std::vector<Point>& points) {
+  Candidate best;
+  for (int round = 0; round < 10; ++round) {
+    const auto extent = box_search::extent_along(points, candidate.axes);
+    best = smaller(best, {candidate.axes, extent.volume()});
+    if (extent.volume() <= candidate.volume * (1 + 1e-9)) break;
+    for (const int i : extent.at) search.points.push_back(points[static_cast<std::size_t>(i)]);
+    candidate = search.descend(search.simplex(search.along(candidate.axes), 0.02, 40));
   }
   return best;
 }
 
-/// The search on the vertices of a hull, moved and scaled to about 1.
-class Search {
- public:
-  explicit Search(std::vector<Point> points) : points_(std::move(points)) {}
-
-  const std::vector<Point>& points() const { return points_; }
-
-  /// The best axes of which one is given: those of the smallest rectangle of the projection.
-  Candidate about(const Point& axis) {
-    const CoordinateFrame<double> frame = frame_on_normal<double>(Point::Zero(), axis);
-    return about(frame.axes);
+/// Axes along which the box of a hull is small.
+/// @param points those of the hull are scaled to about 1
+inline Matrix3<double> small_axes(const Hull& hull, const std::vector<Point>& points) {
+  std::vector<Point> vertices;
+  for (const int i : hull.vertices) vertices.push_back(points[static_cast<std::size_t>(i)]);
+  Search search;
+  search.points = vertices.size() > all_vertices ? extreme_points(vertices) : vertices;
+  if (hull.dimension == 1) return search.about(Point(vertices[1] - vertices[0])).axes;
+  if (hull.dimension == 2) return search.about(area_vector(hull.face(0), points)).axes;
+  Candidate best;
+  const std::size_t count = vertices.size() <= small ? most_starts_of_small : most_starts;
+  for (const Candidate& start : different(starts(search, hull, points), count)) {
+    Candidate found = search.descend(start);
+    found = search.descend(search.simplex(found, 0.2, 40));
+    best = smaller(best, improved_on_all(search, found, vertices));
   }
-  /// The same for the third of the axes.
-  Candidate about(const Matrix3<double>& axes) {
-    flat_.clear();
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    const Point x = axes.col(0), y = axes.col(1), z = axes.col(2);
-    for (const Point& p : points_) {
-      flat_.push_back({x.dot(p), y.dot(p)});
-      low = std::min(low, z.dot(p));
-      high = std::max(high, z.dot(p));
-    }
-    rounded_hull(flat_, hull_);
-    const Turn turn = smallest_turn(hull_);
-    Candidate found;
-    const Point along = turn.along.x() * x + turn.along.y() * y;
-    found.axes = principal_axes_detail::orthonormal<double>(along, Point(z.cross(along)));
-    found.volume = turn.area * (high - low);
-    return found;
-  }
+  if (vertices.size() <= most_vertices) search.points = vertices;
+  best = search.descend(search.simplex(search.along(best.axes), 0.05, 60));
+  return improved_on_all(search, best, vertices).axes;
+}
 
-  /// Turns about one axis after the other until the volume no longer falls.
-  Candidate descend(Candidate candidate) {
-    int unchanged = 0;
-    for (int step = 0; step < 60 && unchanged < 3; ++step) {
-      Matrix3<double> axes;  // the next axis becomes the third
-      for (int i = 0; i < 3; ++i) axes.col(i) = candidate.axes.col((i + 1) % 3);
-      const Candidate turned = about(axes);
-      unchanged = turned.volume < candidate.volume * (1 - 1e-12) ? 0 : unchanged + 1;
-      candidate = unchanged == 0 ? turned : Candidate{axes, candidate.volume};
-    }
-    return candidate;
+/// Of a box of points that span as many dimensions: length, area or volume.
+template <std::floating_point S>
+double measure(const OrientedBox<S>& box, int dimensions, double scale) {
+  std::array<double, 3> lengths{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    lengths[i] = static_cast<double>(box.half_lengths[static_cast<int>(i)]) * scale;
   }
+  std::sort(lengths.begin(), lengths.end());
+  double product = lengths[2];
+  if (dimensions > 1) product *= lengths[1];
+  if (dimensions > 2) product *= lengths[0];
+  return product;
+}
 
- private:
-  std::vector<Point> points_;
-  std::vector<Flat> flat_, hull_;
-};
+/// The box of the least measure along some axes.
+template <FloatOrDouble S>
+OrientedBox<S> least_of(std::span<const Matrix3<S>> candidates, std::span<const Vector3<S>> points,
+                        int dimensions, double scale) {
+  OrientedBox<S> best = box_with_axes<S>(candidates.front(), points);
+  for (const Matrix3<S>& axes : candidates.subspan(1)) {
+    const OrientedBox<S> box = box_with_axes<S>(axes, points);
+    if (measure(box, dimensions, scale) < measure(best, dimensions, scale)) best = box;
+  }
+  return best;
+}
 
 }  // namespace smallest_box_detail
 
-/// A small oriented box that contains all points.
+// [smallest-box]
+/// An oriented box that contains all points and has a small volume, often the smallest.
+///
+/// Proven: it contains all points, because it contains the vertices of their hull
+/// (box_with_axes()), which is exact, and it is convex. It is not larger than the axis-aligned box
+/// and the principal box of these vertices, because both are compared with what the search finds
+/// (up to the rounding of three products). For points in a plane "larger" is said of the area, for
+/// points on a line of the length.
+///
+/// Not proven: that no box is smaller. The smallest box of a hull has two adjacent faces that each
+/// contain an edge (O'Rourke), which gives an algorithm of O(n³). Instead, candidates are improved.
+/// For hulls with up to 256 vertices these are along each face, along all pairs of edges if these
+/// are few, and along 49 directions; larger hulls are represented by vertices that are extreme in
+/// some direction, and the result is improved on all. Measured: of 3,000 hulls with up to 12
+/// vertices none was 0.1 % larger than the smallest box found by that theorem, and of the sets of
+/// points that were compared with CGAL's oriented_bounding_box none was 0.2 % larger than there.
+/// @param points n ≥ 1 points, m, finite
+/// @throws std::invalid_argument if there is no point, an entry is not finite, or the box overflows
+///
+/// Scales: all whose box does not overflow. The result depends on nothing but the points and their
+/// order, and is the same on every machine.
+///
+/// Source: the turns to the smallest rectangle about one axis after the other are those of Barequet
+/// and Har-Peled's GridSearch, *Efficiently Approximating the Minimum-Volume Bounding Box of a
+/// Point Set in Three Dimensions* (2001), as used by Chang, Gorissen and Melchior, *Fast Oriented
+/// Bounding Box Optimization on the Rotation Group SO(3, R)* (2011), with the simplex of Nelder and
+/// Mead.
 template <FloatOrDouble S>
 OrientedBox<S> smallest_box(std::span<const Vector3<S>> points) {
-  using namespace smallest_box_detail;
   const Aabb<S> bounds = aabb_of_points<S>(points);
-  std::vector<Point> stored;
+  const principal_axes_detail::Scaled<double> scaled(
+      Aabb<double>{bounds.low.template cast<double>(), bounds.high.template cast<double>()});
+  std::vector<Vector3<double>> stored;
   stored.reserve(points.size());
   for (const Vector3<S>& p : points) stored.push_back(p.template cast<double>());
   const Hull hull = convex_hull(stored);
   std::vector<Vector3<S>> vertices;
-  std::vector<Point> scaled_vertices;
-  const principal_axes_detail::Scaled<double> scaled(
-      {bounds.low.template cast<double>(), bounds.high.template cast<double>()});
   for (const int i : hull.vertices) {
     vertices.push_back(points[static_cast<std::size_t>(i)]);
-    scaled_vertices.push_back(scaled(stored[static_cast<std::size_t>(i)]));
+    stored[static_cast<std::size_t>(i)] = scaled(stored[static_cast<std::size_t>(i)]);
   }
-  const std::span<const Vector3<S>> span(vertices);
-  const OrientedBox<S> aabb = box_with_axes<S>(Matrix3<S>::Identity(), span);
-  if (hull.dimension < 1) return aabb;
-  Search search(scaled_vertices);
-  std::vector<Candidate> starts;
-  const auto add = [&](const Matrix3<double>& axes) {
-    starts.push_back({axes, volume_along(search.points(), axes)});
-  };
-  add(Matrix3<double>::Identity());
-  add(principal_axes<double>(std::span<const Point>(search.points())));
-  if (hull.dimension == 1) {
-    starts.push_back(search.about(Point(scaled_vertices[1] - scaled_vertices[0])));
+  const std::span<const Vector3<S>> all(vertices);
+  std::vector<Matrix3<S>> axes{Matrix3<S>::Identity(), principal_axes<S>(all)};
+  if (hull.dimension > 0) {
+    const Matrix3<S> found = smallest_box_detail::small_axes(hull, stored).template cast<S>();
+    axes.push_back(principal_axes_detail::orthonormal<S>(found.col(0), found.col(1)));
   }
-  const int step = std::max(1, hull.face_count() / 200);
-  for (int f = 0; f < hull.face_count(); f += step) {
-    const auto face = hull.face(f);
-    const auto at = [&](std::size_t i) {
-      return scaled(stored[static_cast<std::size_t>(face[i])]);
-    };
-    const Point normal = Point(at(1) - at(0)).cross(Point(at(2) - at(0)));
-    if (normal.cwiseAbs().maxCoeff() > 0) starts.push_back(search.about(normal));
-  }
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.volume < b.volume; });
-  Candidate best = starts.front();
-  for (std::size_t i = 0; i < std::min<std::size_t>(starts.size(), 8); ++i) {
-    const Candidate found = search.descend(starts[i]);
-    if (found.volume < best.volume) best = found;
-  }
-  const Matrix3<S> axes =
-      principal_axes_detail::orthonormal<S>(Vector3<S>(best.axes.col(0).template cast<S>()),
-                                            Vector3<S>(best.axes.col(1).template cast<S>()));
-  const OrientedBox<S> box = box_with_axes<S>(axes, span);
-  return best.volume < starts.front().volume ||
-                 best.volume < volume_along(search.points(), Matrix3<double>::Identity())
-             ? box
-             : aabb;
+  const double scale = std::ldexp(1.0, std::clamp(scaled.power, -1000, 1000));
+  return smallest_box_detail::least_of<S>(axes, all, hull.dimension, scale);
 }
+// [/smallest-box]
 
 }  // namespace contact
