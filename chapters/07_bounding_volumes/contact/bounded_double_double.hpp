@@ -61,6 +61,10 @@ struct BoundedDoubleDouble {
   friend BoundedDoubleDouble operator*(const BoundedDoubleDouble& x, const BoundedDoubleDouble& y) {
     if (x.is_zero() || y.is_zero()) return {};
     const auto highs = two_product(x.high, y.high);
+    if (x.low == 0 && y.low == 0 && x.bound == 0 && y.bound == 0 &&
+        std::abs(highs.value) > 0x1p-900) {
+      return {highs.value, highs.error, highs.error == highs.error ? 0 : highs.error};
+    }
     const auto left = two_product(x.high, y.low), right = two_product(x.low, y.high);
     const auto cross = two_sum(left.value, right.value);
     const auto lows = two_sum(highs.error, cross.value);
@@ -79,7 +83,8 @@ struct BoundedDoubleDouble {
             up(left_out + carried) + (underflow ? RunningError::floor : 0)};
   }
   /// The quotient, from two steps of long division; without a finite bound unless y is certain not
-  /// to be 0. What is left to divide after them, divided by the least |y|, bounds the error.
+  /// to be 0. What is left to divide after them, divided by the least |y|, bounds the error; if
+  /// nothing is left, there is none.
   friend BoundedDoubleDouble operator/(const BoundedDoubleDouble& x, const BoundedDoubleDouble& y) {
     if (x.is_zero() && y.certain_sign() != 0) return {};
     const double first = x.high / y.high;
@@ -88,6 +93,7 @@ struct BoundedDoubleDouble {
     const BoundedDoubleDouble last = rest - y * BoundedDoubleDouble(second);
     const double least = std::abs(y.high) * (1 - 4 * RunningError::u) - y.bound;
     const auto quotient = two_sum(first, second);
+    if (last.is_zero()) return {quotient.value, quotient.error, 0};
     if (!(least > 0)) return {first, 0, std::numeric_limits<double>::infinity()};
     return {quotient.value, quotient.error,
             up(up(std::abs(last.high) + last.bound) / (least * (1 - 4 * RunningError::u))) +

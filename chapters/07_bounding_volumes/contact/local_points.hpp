@@ -36,6 +36,9 @@ struct Scaling {
   }
   /// Both together.
   double scale() const { return before * after; }
+  /// Whether all differences are scaled afterwards, by 2^-60 to 2^60: their quotients by the scale
+  /// lose less than 2^-1000.
+  bool is_moderate() const { return before == 1 && after >= 0x1p-60 && after <= 0x1p60; }
   /// Whether a number may have lost something when it was multiplied by `after`.
   bool lossy(double x) const { return x * after / after != x; }
 };

@@ -119,12 +119,13 @@ class SupportBall {
   Vector3<S> nearest_centre() const {
     Vector3<S> nearest;
     const double after = points_.scaling().after;
-    const bool scalable = points_.scaling().before == 1 && after < 0x1p400 && after > 0x1p-400;
+    const bool scalable = points_.scaling().is_moderate();
     const auto h = from_base<BoundedDoubleDouble>(terms<BoundedDoubleDouble>());
     for (std::size_t k = 0; k < 3; ++k) {
       std::optional<S> certain;
       if (scalable) {
-        const BoundedDoubleDouble unscaled{h[k].high / after, h[k].low / after, h[k].bound / after};
+        const BoundedDoubleDouble unscaled{h[k].high / after, h[k].low / after,
+                                           2 * h[k].bound / after};
         certain = certain_nearest<S>(BoundedDoubleDouble(points_.coordinate(base_, k)) + unscaled);
       }
       if (!certain) {
@@ -139,10 +140,11 @@ class SupportBall {
   /// The square of the radius, rounded to nearest.
   double nearest_radius_squared() const {
     const double after = points_.scaling().after;
-    if (points_.scaling().before == 1 && after < 0x1p200 && after > 0x1p-200) {
+    if (points_.scaling().is_moderate()) {
       const auto h = from_base<BoundedDoubleDouble>(terms<BoundedDoubleDouble>());
       BoundedDoubleDouble square = detail::dot(h, h);
-      for (double* x : {&square.high, &square.low, &square.bound}) *x = *x / after / after;
+      square = {square.high / after / after, square.low / after / after,
+                2 * square.bound / after / after};
       if (const auto certain = certain_nearest<double>(square)) return *certain;
     }
     const BallTerms<Exact>& exact = exact_terms();
@@ -239,8 +241,8 @@ class SupportBall {
       if (points_.distance_squared(i, centre_) < low_ || is_in_support(i)) continue;
       const BoundedDoubleDouble excess =
           ball_excess(ball, points_.template difference<BoundedDoubleDouble>(i, base_));
-      const int sign = excess.certain_sign();
-      if (sign == 0 && !excess.is_zero() && farthest < 0) doubtful.push_back(i);
+      const int sign = ball.sure ? excess.certain_sign() : 0;
+      if (sign == 0 && !(ball.sure && excess.is_zero()) && farthest < 0) doubtful.push_back(i);
       if (sign > 0 && excess.high > largest) {
         largest = excess.high;
         farthest = i;

@@ -20,6 +20,8 @@ template <class T>
 struct BallTerms {
   T d;                  ///< of degree 0, 4 or 3 in the coordinates, for 2, 3 or 4 points
   detail::Triple<T> n;  ///< of degree 1, 5 or 4
+  /// Whether d is certain to be positive; if not, d and n may have the other sign.
+  bool sure = true;
 };
 
 /// d |x|² − x·n: positive outside the ball, 0 on its surface.
@@ -70,7 +72,8 @@ class PointsFromBase {
     const auto crosses = crosses_of(m);
     const BallTerms<T> through = through_four(m, crosses);
     bool sure = true;
-    if (detail::sign_of(through.d, sure) >= 0) return through;
+    const int sign = detail::sign_of(through.d, sure);
+    if (sign >= 0) return {through.d, through.n, sure};
     return {-through.d, {-through.n[0], -through.n[1], -through.n[2]}};
   }
 
@@ -86,6 +89,7 @@ class PointsFromBase {
     bool sure = true;
     if (!centre_is_inside(m, sure)) return -1;
     const BallTerms<T> terms = ball(set);
+    if (!terms.sure) return 0;
     for (std::size_t j = 0; j < count_; ++j) {
       if ((set >> j & 1U) != 0) continue;
       const T outside = terms.d * dots_[j][j] - detail::dot(v_[j], terms.n);
