@@ -60,7 +60,7 @@ const ORDERS = ["as numbered", "reversed", "the best", "the worst"];
  */
 const GRIP_STEP = 1.25;
 
-const times = (ratio: number): string => `${ratio.toFixed(3)} ×`;
+const times = (ratio: number): string => `${ratio.toFixed(3)}\u00a0×`;
 const taken = (input: Input): number =>
   Math.min(NAMES.length, Math.max(0, Math.floor(input.taken)));
 
@@ -112,29 +112,46 @@ export default defineFigure<Input, Output>({
   ],
   draw(scene, input, output) {
     const points = NAMES.map((name) => input[name]);
+    const so_far = output.problem ? [] : output.order.slice(0, taken(input));
     for (const [i, p] of points.entries())
-      scene.label(p, String(i), { role: "ink", offset: [9, -9], size: "small" });
+      scene.label(p, String(i), { role: so_far.includes(i) ? "a" : "muted", offset: [11, -11] });
     if (output.problem) return;
     const at = (i: number | undefined): Vec2 => points[i ?? 0] ?? [0, 0];
-    const so_far = output.order.slice(0, taken(input));
 
     circle(scene, output.centroid, output.centroid_radius, "b", true);
     circle(scene, output.smallest_centre, output.smallest_radius, "c");
     if (output.grew) circle(scene, output.centre_before, output.radius_before, "a", true);
     circle(scene, output.centre, output.radius, "a");
-    for (const i of output.support.slice(0, output.support_count)) scene.dot(at(i), "c", 9, true);
+    for (const i of output.support.slice(0, output.support_count)) scene.dot(at(i), "c", 14, true);
     scene.line(at(output.low), at(output.high), { role: "a", width: 1, dashed: true });
     const last = so_far.at(-1);
     if (last !== undefined && output.grew)
       scene.arrow(output.centre_before, output.centre, { role: "a", width: 2 });
 
     for (const [i, p] of points.entries()) {
-      const is_in = so_far.includes(i) || i === output.low || i === output.high;
-      if (output.missed[i]) {
-        scene.dot(p, "miss", 11, true);
-        scene.label(p, "outside", { role: "miss", offset: [12, 16], size: "small" });
-      } else if (is_in) scene.dot(p, "a", 5);
+      if (!output.missed[i]) continue;
+      scene.dot(p, "miss", 17, true);
+      scene.label(p, "outside", { role: "miss", offset: [0, 33], anchor: "middle", size: "small" });
     }
+    const small = { size: "small", anchor: "middle" } as const;
+    const on = ([x, y]: Vec2, dx: number, dy: number): Vec2 => [x + dx, y + dy];
+    scene
+      .label(on(output.centre, 0, output.radius), "lecture", {
+        ...small,
+        role: "a",
+        offset: [0, 16],
+      })
+      .label(on(output.smallest_centre, 0, -output.smallest_radius), "smallest", {
+        ...small,
+        role: "c",
+        offset: [0, -8],
+      })
+      .label(on(output.centroid, -output.centroid_radius, 0), "centroid", {
+        ...small,
+        role: "b",
+        anchor: "start",
+        offset: [5, 0],
+      });
   },
   values: (input, output) => [
     {
@@ -190,7 +207,7 @@ function missed(output: Output): Value {
     name: "missed",
     meaning: "points taken in that are outside, by at most",
     value: output.missed_count
-      ? `${output.missed_count}, ${pretty(output.missed_most, 2)} m`
+      ? `${output.missed_count}, ${pretty(output.missed_most, 3)} m`
       : "none",
     role: output.missed_count ? "miss" : "ink",
   };
