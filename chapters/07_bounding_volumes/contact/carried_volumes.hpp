@@ -37,7 +37,7 @@ inline double row_sum(const Matrix3<double>& axes, double shift) {
     largest = std::max(largest, sum);
   }
   const double diagonal = products.diagonal().maxCoeff();
-  return largest + 24 * carry_u * (diagonal + std::abs(shift)) + 0x1p-1000;
+  return largest + 16 * carry_u * (diagonal + std::abs(shift)) + 0x1p-1000;
 }
 
 }  // namespace detail
@@ -133,9 +133,9 @@ void require_box(const Aabb<S>& box) {
 /// plus the distance by which rounding displaces the centre.
 ///
 /// The image of x is o + A x, and |o + A x − o − A c| ≤ ‖A‖ |x − c| ≤ stretch × radius, so all of
-/// it is in the result. For axes that are rounded in double this is about 12 u of the radius and 25
-/// u of the coordinates more than the radius. Carry the object's sphere at each step, not the
-/// sphere of the step before: the growth would add up.
+/// it is in the result. With axes that are rounded once the radius grows by at most 20 u of itself
+/// and 75 u of the largest coordinate. Carry the object's own sphere at each step, not the sphere
+/// of the step before: the growth would add up.
 /// @param sphere m, in the frame; finite, with a radius that is not negative
 /// @param frame taken as stored, also if its axes are no rotation
 /// @throws std::invalid_argument if the sphere does not satisfy this, or a number is not finite

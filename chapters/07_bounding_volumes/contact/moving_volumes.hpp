@@ -99,9 +99,9 @@ Aabb<S> aabb_in_any_orientation(const Vector3<S>& centre, S bounding_radius) {
 /// An upper bound on r (1 − cos θ/2), the sagitta of an arc of radius r: how far a point that turns
 /// by θ is from its chord. θ is the angle between two orientations, from 0 to π.
 ///
-/// cos θ/2 is |a · b| / |a||b|, and 1 − cos would lose all digits of a small turn; sin² θ/2 /
-/// (1 + cos θ/2) is the same and loses none, with sin² θ/2 from the six products aᵢ bⱼ − aⱼ bᵢ. The
-/// error bound of each operation is added. No sine or cosine is called.
+/// cos θ/2 is |a · b| / |a||b|. 1 − cos θ/2 would be off by u; sin² θ/2 / (1 + cos θ/2) is the same
+/// and off by a few u sin θ/2, with sin² θ/2 from the six products aᵢ bⱼ − aⱼ bᵢ. The error bound
+/// of each operation is added. No sine or cosine is called.
 /// @param from, to of any length but 0; q and −q are one orientation
 /// @param bounding_radius r, m, not negative
 /// @throws std::invalid_argument if a quaternion is 0, the radius negative, or a number not finite
@@ -152,7 +152,8 @@ double distance_from_rotation(const Matrix3<S>& axes) {
 // [sagitta-of-axes]
 /// The same from the axes of two frames: sin² θ/2 is ‖A − B‖² / 8 in the Frobenius norm, for
 /// rotations. Stored axes are rounded rotations: the result includes how far they can be from the
-/// rotations that they stand for, at both ends.
+/// rotations that they stand for, at both ends, some 100 u of the radius; near half a turn, where
+/// the cosine comes from the root of a difference, it may exceed the sagitta by √u of the radius.
 /// @return 0 if the axes are equal: then nothing turns
 /// @throws std::invalid_argument if axes are not nearly orthonormal, or the radius is negative or
 /// not finite
