@@ -36,15 +36,15 @@ struct Extent {
 template <FloatOrDouble S>
 Extent extent_of(const Vector3<S>& normal, std::span<const Vector3<S>> points,
                  const CoordinateFrame<S>& frame) {
-  const Vector3<double> n = normal.template cast<double>();
-  const Vector3<double> origin = frame.origin.template cast<double>();
-  const Matrix3<double> axes = frame.axes.template cast<double>();
+  const Vector3<double>& n = normal.template cast<double>();
+  const Vector3<double>& origin = frame.origin.template cast<double>();
+  const Matrix3<double>& axes = frame.axes.template cast<double>();
   const Vector3<double> along = axes.transpose() * n;
   const double start = n.dot(origin);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   Vector3<double> size = Vector3<double>::Zero();
   for (const Vector3<S>& point : points) {
-    const Vector3<double> p = point.template cast<double>();
+    const Vector3<double>& p = point.template cast<double>();
     const double at = start + along.dot(p);
     low = std::min(low, at);
     high = std::max(high, at);
