@@ -61,9 +61,9 @@ struct BoundedDoubleDouble {
   friend BoundedDoubleDouble operator*(const BoundedDoubleDouble& x, const BoundedDoubleDouble& y) {
     if (x.is_zero() || y.is_zero()) return {};
     const auto highs = two_product(x.high, y.high);
-    if (x.low == 0 && y.low == 0 && x.bound == 0 && y.bound == 0 &&
-        std::abs(highs.value) > 0x1p-900) {
-      return {highs.value, highs.error, highs.error == highs.error ? 0 : highs.error};
+    const bool whole = x.low == 0 && y.low == 0 && x.bound == 0 && y.bound == 0;
+    if (whole && std::abs(highs.value) > 0x1p-900 && std::isfinite(highs.error)) {
+      return {highs.value, highs.error, 0};
     }
     const auto left = two_product(x.high, y.low), right = two_product(x.low, y.high);
     const auto cross = two_sum(left.value, right.value);
