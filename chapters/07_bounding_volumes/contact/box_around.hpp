@@ -200,9 +200,9 @@ bool inside_by_determinants(const OrientedBox<double>& box, const Vector3<double
 // [box-contains]
 /// Whether a point is in a box, exactly, for the stored numbers. Touching counts.
 ///
-/// The stored body is a parallelepiped, because its axes are rounded. With C as the sum of its
-/// columns' multiples, p = centre + Σ xᵢ axesᵢ, the decisions |xᵢ| ≤ half lengthᵢ are signs of
-/// determinants (Cramer's rule), which are taken in double with a bound and in doubt exactly.
+/// The stored body is a parallelepiped, because its axes are rounded. The coordinates of p = centre
+/// + Σ xᵢ axesᵢ are quotients of determinants (Cramer's rule), so |xᵢ| ≤ half lengthᵢ is the sign
+/// of a polynomial: it is computed in double with a bound on its error, and in doubt exactly.
 /// @return false if a number is not finite, a half length is negative, or the axes are linearly
 /// dependent
 template <FloatOrDouble S>

@@ -81,14 +81,17 @@ Matrix3<S> diagonalised(Matrix3<S>& m) {
 }
 // [/jacobi]
 
-/// Columns that are nearly orthonormal, made orthonormal to within a few u (Gram and Schmidt), and
-/// right-handed.
+/// A right-handed frame, orthonormal to within a few u, with its x axis along the first vector and
+/// its y axis in the plane of both: Gram and Schmidt, twice, as once leaves an error that is large
+/// where the vectors are nearly parallel.
+/// @param first, second neither parallel nor 0
 template <std::floating_point S>
 Matrix3<S> orthonormal(const Vector3<S>& first, const Vector3<S>& second) {
   const auto unit = [](const Vector3<S>& v) { return Vector3<S>(v / std::sqrt(v.dot(v))); };
   Matrix3<S> axes;
   const Vector3<S> x = unit(first);
-  const Vector3<S> y = unit(Vector3<S>(second - x * x.dot(second)));
+  const Vector3<S> once = unit(Vector3<S>(second - x * x.dot(second)));
+  const Vector3<S> y = unit(Vector3<S>(once - x * x.dot(once)));
   axes.col(0) = x;
   axes.col(1) = y;
   axes.col(2) = unit(x.cross(y));

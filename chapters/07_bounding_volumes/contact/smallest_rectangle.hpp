@@ -146,7 +146,8 @@ inline Touching smallest_touching(const std::vector<Point>& hull, double scale) 
 
 /// The unit vector along b − a, rounded.
 inline Point direction(const Point& a, const Point& b) {
-  const Point e = b / 2 - a / 2;
+  const Point difference = b - a;  // halves of subnormal numbers round, so only if it overflows
+  const Point e = all_finite(difference) ? difference : Point(b / 2 - a / 2);
   int exponent = 0;
   std::frexp(e.cwiseAbs().maxCoeff(), &exponent);
   const Point near_one(std::ldexp(e.x(), -exponent), std::ldexp(e.y(), -exponent));
@@ -159,8 +160,8 @@ inline Point direction(const Point& a, const Point& b) {
 /// A rectangle with the given axis that contains all points as it is stored, by the argument of
 /// box_with_axes(); since its axes are exactly perpendicular, only their length matters.
 ///
-/// Along the axes of the world a half length is the smallest for the centre as stored, otherwise up
-/// to 100 u of the largest distance larger than it must be.
+/// Along the axes of the world a half length is the smallest for the centre as stored, otherwise at
+/// most 100 u of the largest distance from the centre larger than it must be.
 /// @param axis of length 1 to within 16 u
 /// @param points n ≥ 1 points, m, finite
 /// @throws std::invalid_argument if an argument does not satisfy this, or the rectangle overflows
