@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,18 +43,28 @@ inline Spread spread(std::vector<double> values) {
   return {values[values.size() / 2], values.front(), values.back()};
 }
 
+/// A line of a table.
+struct Row {
+  std::string name;
+  Spread time, share;                ///< of the unit, and what the book takes of it
+  std::vector<std::size_t> counted;  ///< of each fault
+};
+
 /// The first method is the book's; each time of it is divided by the others' of the same run.
 /// @param per nanoseconds that count as one unit
 /// @param answer as it is before the first question
+/// @param patience a method that takes more nanoseconds is timed only once
 template <class Answer>
-void compare(const std::string& title, const char* unit, double per,
-             const std::vector<Method<Answer>>& methods, const std::vector<Fault<Answer>>& faults,
-             int runs, Answer answer = {}) {
+std::vector<Row> compare(const std::string& title, const char* unit, double per,
+                         const std::vector<Method<Answer>>& methods,
+                         const std::vector<Fault<Answer>>& faults, int runs, Answer answer = {},
+                         double patience = std::numeric_limits<double>::infinity()) {
   std::vector<std::vector<double>> times(methods.size()), shares(methods.size());
   std::vector<std::vector<std::size_t>> counted(methods.size());
   for (int run = 0; run <= runs; ++run) {
     double book = 0;
     for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (run > 1 && m > 0 && times[m].front() * per > patience) continue;
       const double start = processor_time();
       methods[m].ask(answer);
       const double elapsed = (processor_time() - start) / per;
@@ -70,8 +81,10 @@ void compare(const std::string& title, const char* unit, double per,
               "book / this", "least - most");
   for (const auto& fault : faults) std::printf(" %9s", fault.title);
   std::printf("\n");
+  std::vector<Row> rows;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Spread time = spread(times[m]), share = spread(shares[m]);
+    rows.push_back({methods[m].name, time, share, counted[m]});
     std::printf("  %-34s %9.1f %8.1f - %8.1f %11.3f %6.3f - %6.3f", methods[m].name.c_str(),
                 time.median, time.least, time.most, share.median, share.least, share.most);
     for (const std::size_t wrong : counted[m]) std::printf(" %9zu", wrong);
@@ -79,6 +92,7 @@ void compare(const std::string& title, const char* unit, double per,
   }
   std::printf("\n");
   std::fflush(stdout);
+  return rows;
 }
 
 /// A positive whole number from the arguments.
