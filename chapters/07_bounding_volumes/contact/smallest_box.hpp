@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -194,14 +195,19 @@ inline Matrix3<double> small_axes(const Hull& hull, const std::vector<Point>& po
   return improved_on_all(search, best, vertices).axes;
 }
 
-/// Of a box of points that span as many dimensions: length, area or volume.
+/// Of a box of points that span as many dimensions: length, area or volume, and ∞ if it is thicker
+/// than rounding makes it in a direction in which they have no extent.
 template <std::floating_point S>
 double measure(const OrientedBox<S>& box, int dimensions, double scale) {
   std::array<double, 3> lengths{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    lengths[i] = static_cast<double>(box.half_lengths[static_cast<int>(i)]) * scale;
+  for (int i = 0; i < 3; ++i) {
+    lengths[static_cast<std::size_t>(i)] = static_cast<double>(box.half_lengths[i]) * scale;
   }
   std::sort(lengths.begin(), lengths.end());
+  const double thin = 2048 * static_cast<double>(std::numeric_limits<S>::epsilon()) * lengths[2];
+  if (dimensions < 3 && lengths[static_cast<std::size_t>(2 - dimensions)] > thin) {
+    return std::numeric_limits<double>::infinity();
+  }
   double product = lengths[2];
   if (dimensions > 1) product *= lengths[1];
   if (dimensions > 2) product *= lengths[0];
@@ -228,8 +234,8 @@ OrientedBox<S> least_of(std::span<const Matrix3<S>> candidates, std::span<const 
 /// Proven: it contains all points, because it contains the vertices of their hull
 /// (box_with_axes()), which is exact, and it is convex. It is not larger than the axis-aligned box
 /// and the principal box of these vertices, because both are compared with what the search finds
-/// (up to the rounding of three products). For points in a plane "larger" is said of the area, for
-/// points on a line of the length.
+/// (up to the rounding of three products). For points in a plane, boxes that are flat there are
+/// compared by area, and for points on a line those along it by length.
 ///
 /// Not proven: that no box is smaller. The smallest box of a hull has two adjacent faces that each
 /// contain an edge (O'Rourke), which gives an algorithm of O(n³). Instead, candidates are improved.
