@@ -2,8 +2,8 @@
 
 namespace exercise {
 
-// A cube with one corner cut off, as a rounded corner of a mesh is. Three vertices are there instead
-// of one, so that the diagonal through this corner becomes an axis.
+// A cube with one corner cut off, as meshes of rounded bodies have it. Three vertices are there
+// instead of one, so that the diagonal through this corner becomes an axis.
 std::vector<Eigen::Vector3d> larger_than_the_aligned_box() {
   return {{0, 0, 0},   {10, 0, 0},  {0, 10, 0},  {0, 0, 10},  {10, 10, 0},
           {10, 0, 10}, {0, 10, 10}, {9, 10, 10}, {10, 9, 10}, {10, 10, 9}};
