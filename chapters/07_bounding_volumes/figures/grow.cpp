@@ -42,7 +42,12 @@ struct Output {
   double support_count;
   std::array<double, 3> support;  // indices of the points that determine the smallest circle
   double grown_ratio, centroid_ratio, least_ratio, greatest_ratio;  // radius / smallest radius
-  double order_matters, misses, centroid_is_larger;                 // goals of questions
+  // For a reader's function that takes multiples of 1/8: the lecture's sphere around the points in
+  // the order of their numbers, certain to contain them; `whole` is 1 if all are such multiples.
+  double whole;
+  contact::Vector3<double> sphere_centre;
+  double sphere_radius;
+  double grown_is_smallest, misses_in_double, centroid_is_larger;  // goals of questions
 };
 
 namespace {
@@ -201,9 +206,19 @@ Output compute(const Input& in) {
     compute_in<float>(in, points, out);
   else
     compute_in<double>(in, points, out);
-  out.order_matters = out.greatest_ratio >= 1.05 * out.least_ratio ? 1 : 0;
+  out.grown_is_smallest = out.grown_ratio <= 1.001 ? 1 : 0;
   out.centroid_is_larger = out.centroid_ratio >= 1.5 ? 1 : 0;
-  out.misses = out.missed_count > 0 ? 1 : 0;
+  out.misses_in_double = in.single == 0 && out.missed_count > 0 ? 1 : 0;
+
+  out.whole = 1;
+  for (const Point& p : points) {
+    const Point eighths = 8 * p;
+    if (eighths != eighths.array().round().matrix() || eighths.cwiseAbs().maxCoeff() > 8000)
+      out.whole = 0;
+  }
+  const Circle<double> sphere = contact::grown_sphere<double>(in_space<double>(points));
+  out.sphere_centre = sphere.centre;
+  out.sphere_radius = sphere.radius;
   return out;
 }
 
@@ -212,4 +227,5 @@ FIGURE(Input, FIELDS(p0, p1, p2, p3, p4, p5, p6, p7, taken, order, single), Outp
               radius_before, centre_before, grown_radius, grown_centre, missed, outside,
               missed_count, missed_most, centroid_radius, smallest_radius, centroid,
               smallest_centre, support_count, support, grown_ratio, centroid_ratio, least_ratio,
-              greatest_ratio, order_matters, misses, centroid_is_larger))
+              greatest_ratio, whole, sphere_centre, sphere_radius, grown_is_smallest,
+              misses_in_double, centroid_is_larger))

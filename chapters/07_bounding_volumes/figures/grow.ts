@@ -82,7 +82,7 @@ export default defineFigure<Input, Output>({
     p5: [-2, 0.75],
     p6: [-1.5, 1.75],
     p7: [-2, -1],
-    taken: 4,
+    taken: 3,
     order: 0,
     single: 1,
   },

@@ -50,7 +50,7 @@ struct Output {
   std::array<std::array<Vector, 2>, most_lines> line;
   Vector centre;                        // of the sphere that is drawn
   double radius;                        // 0: no sphere
-  double aabb_is_loose, dop_is_better;  // goals of questions
+  double aabb_is_tight, dop_is_better;  // goals of questions
 };
 
 namespace {
@@ -273,11 +273,11 @@ Output compute(const Input& in) {
   out.least = shown.least;
   out.greatest = shown.greatest;
   draw(shown, now, frame, in.kind, out);
-  out.aabb_is_loose = out.ratio[2] >= 3 ? 1 : 0;
+  out.aabb_is_tight = out.ratio[2] <= 1.5 ? 1 : 0;
   out.dop_is_better = out.ratio[9] < out.ratio[4] ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(nose, roll, shape, kind), Output,
        FIELDS(problem, vertices, triangles, vertex, triangle, hull_share, volume, ratio, least,
-              greatest, lines, line, centre, radius, aabb_is_loose, dop_is_better))
+              greatest, lines, line, centre, radius, aabb_is_tight, dop_is_better))

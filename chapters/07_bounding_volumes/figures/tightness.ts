@@ -73,7 +73,7 @@ export default defineFigure<Input, Output>({
   title: "How much of a volume is empty?",
   view: {
     kind: "3d",
-    target: [0, 0, -1.1],
+    target: [0, 0, -1.2],
     azimuth: -62,
     elevation: 18,
     span: 5.2,
