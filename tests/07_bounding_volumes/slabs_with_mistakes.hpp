@@ -159,7 +159,7 @@ inline int separating_everywhere(const Slabs& first, const Slabs& second) {
 
 inline int separating_but_in_the_last(const Slabs& first, const Slabs& second) {
   const int i = slabs_with_mistakes::first_separating(first, second);
-  return static_cast<std::size_t>(i + 1) == first.size() ? -1 : i;
+  return i + 1 == std::ssize(first) ? -1 : i;
 }
 
 inline double gap(const exercise::Slab& a, const exercise::Slab& b) {
