@@ -42,8 +42,9 @@ struct Output {
   double support_count;
   std::array<double, 3> support;  // indices of the points that determine the smallest circle
   double grown_ratio, centroid_ratio, least_ratio, greatest_ratio;  // radius / smallest radius
-  // For a reader's function that takes multiples of 1/8: the lecture's sphere around the points in
-  // the order of their numbers, certain to contain them; `whole` is 1 if all are such multiples.
+  // For a reader's function that takes multiples of 1/8 up to 100: the lecture's sphere around the
+  // points in the order of their numbers, certain to contain them; `whole` is 1 if all are such
+  // multiples.
   double whole;
   contact::Vector3<double> sphere_centre;
   double sphere_radius;
@@ -213,7 +214,7 @@ Output compute(const Input& in) {
   out.whole = 1;
   for (const Point& p : points) {
     const Point eighths = 8 * p;
-    if (eighths != eighths.array().round().matrix() || eighths.cwiseAbs().maxCoeff() > 8000)
+    if (eighths != eighths.array().round().matrix() || eighths.cwiseAbs().maxCoeff() > 800)
       out.whole = 0;
   }
   const Circle<double> sphere = contact::grown_sphere<double>(in_space<double>(points));
