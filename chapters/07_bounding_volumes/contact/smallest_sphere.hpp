@@ -73,7 +73,9 @@ class SupportBall {
   std::array<int, 4> support() const {
     std::array<int, 4> all{base_, -1, -1, -1};
     std::copy_n(others_.begin(), count_, all.begin() + 1);
-    std::sort(all.begin(), all.begin() + 1 + count_);
+    // All four, with −1 last: GCC 12 warns of a sort of the first few.
+    std::sort(all.begin(), all.end(),
+              [](int i, int j) { return static_cast<unsigned>(i) < static_cast<unsigned>(j); });
     return all;
   }
   int support_count() const { return 1 + count_; }
