@@ -38,9 +38,9 @@ test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts
 test|valgrind|command valgrind|-|Valgrind: counts the instructions of a run
-benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons, rays, meshes and triangle pairs, decided exactly
+benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons, rays, meshes, triangle pairs and bounding volumes, decided exactly
 benchmarks|libqhull-dev|header libqhull_r/qhull_ra.h|qhull|Qhull: convex hulls
-benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls and scenes
+benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes and scenes
 benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes
 benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane
 benchmarks|libgeos++-dev|header geos/algorithm/PointLocation.h|geos|GEOS: points in polygons

@@ -182,8 +182,8 @@ inline peers::Box plain(const Box& box) {
 // ---------------------------------------------------------------- bodies for slabs
 
 /// Two bodies of 20 points: anywhere, or so that an edge of each crosses the other's in one point,
-/// and the plane of both separates the other points. All coordinates are whole multiples of 2^-53,
-/// so that the common point is exact.
+/// and the plane of both separates the other points. Coordinates on the edges are whole multiples
+/// of 2^-53 from 1/2 to 3/4, so that the common point is exact, and a sum of two is rounded.
 inline Pair<Points> bodies(Random& random, bool touching) {
   constexpr int count = 20;
   Pair<Points> pair;
@@ -198,10 +198,12 @@ inline Pair<Points> bodies(Random& random, bool touching) {
       {{1, 1, 0}, {1, 0, -1}, {0, 1, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}}};
   const auto& n = normals[static_cast<std::size_t>(random.integer(0, 6))];
   const Point normal(n[0], n[1], n[2]);
-  const auto whole = [&random] { return std::ldexp(std::floor(0x1p50 * random.uniform()), -53); };
-  const Point common{0.375 + whole(), 0.375 + whole(), 0.375 + whole()};
+  const auto whole = [&random](double most) {
+    return std::ldexp(std::floor(0x1p53 * most * random.uniform()), -53);
+  };
+  const Point common{0.5625 + whole(0.125), 0.5625 + whole(0.125), 0.5625 + whole(0.125)};
   for (std::size_t side = 0; side < 2; ++side) {
-    Point along{whole(), whole(), whole()};
+    Point along{whole(0.03), whole(0.03), whole(0.03)};
     const int last = n[2] != 0 ? 2 : 1;  // so that normal · along = 0
     along[last] = 0;
     along[last] = -normal[last] * normal.dot(along);
