@@ -26,7 +26,7 @@ Points scattered(int count) {
 // [show]
 void show(const char* name, const Points& points) {
   const double smallest = smallest_sphere<double>(points).sphere.radius;
-  std::printf("%-24s%9.3f%10.3f%10.3f%8.3f m", name, grown_sphere<double>(points).radius / smallest,
+  std::printf("%-24s%9.3f%10.3f%12.3f%8.3f m", name, grown_sphere<double>(points).radius / smallest,
               centroid_sphere<double>(points).radius / smallest,
               box_centre_sphere<double>(points).radius / smallest, smallest);
   std::vector<Vector3<float>> rounded;
@@ -41,7 +41,7 @@ void show(const char* name, const Points& points) {
 }  // namespace
 
 int main() {
-  std::printf("%-24s%9s%10s%10s%10s%17s\n", "radius / smallest", "lecture's", "centroid",
+  std::printf("%-24s%9s%10s%12s%10s%17s\n", "radius / smallest", "lecture's", "centroid",
               "box centre", "smallest", "missed in float");
   show("a cube's corners", box_mesh({0, 0, 0}, {1, 1, 1}).vertices);
   show("a flat triangle", {{0, 0, 0}, {4, 0, 0}, {2, 0.5, 0}});
