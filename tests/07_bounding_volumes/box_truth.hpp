@@ -64,7 +64,7 @@ bool all_inside(const contact::OrientedBox<S>& box, const Points<S>& points) {
 }
 /// The product of the edges of the box that is meant, as a double.
 template <std::floating_point S>
-double volume(const contact::OrientedBox<S>& box) {
+double meant_volume(const contact::OrientedBox<S>& box) {
   return 8 * double{box.half_lengths[0]} * double{box.half_lengths[1]} *
          double{box.half_lengths[2]};
 }
