@@ -3,6 +3,7 @@
 #include <07_bounding_volumes/hard_moving.hpp>
 #include <07_bounding_volumes/hard_oriented.hpp>
 #include <07_bounding_volumes/hard_slabs.hpp>
+#include <07_bounding_volumes/hard_spheres.hpp>
 
 int main(int argc, char** argv) {
   hard_cases::Runner runner("07_bounding_volumes");
@@ -10,5 +11,6 @@ int main(int argc, char** argv) {
   hard_moving::add_questions(runner);
   hard_oriented::add_questions(runner);
   hard_slabs::add_questions(runner);
+  hard_spheres::add_questions(runner);
   return runner.run(argc, argv);
 }
