@@ -79,44 +79,55 @@ inline Triple<RunningError> direction_before(const Matrix3<double>& axes,
   return {dot(column(0), exact), dot(column(1), exact), dot(column(2), exact)};
 }
 
-}  // namespace detail
+/// The end of a slab at which weight × (normal · x) is largest.
+inline double slab_end(const Kdop<double>& dop, std::size_t slab, double weight) {
+  return weight < 0 ? dop.low[slab] : dop.high[slab];
+}
 
-namespace detail {
-
-// [slab-bound]
-/// An upper bound on m · x + shift for all x of a k-DOP: for any weights, m · x is
-/// Σ weightⱼ normalⱼ · x + ρ · x with ρ = m − Σ weightⱼ normalⱼ, so at most
-/// Σ max(weightⱼ lowⱼ, weightⱼ highⱼ) + Σ|ρ| × the largest coordinate.
-///
-/// The smallest such sum with three weights and ρ = 0 is the maximum itself (duality of linear
-/// programs); rounded weights only make ρ about u.
-inline double slab_bound(const Kdop<double>& dop, const std::vector<SlabTriple>& triples,
-                         const Triple<RunningError>& m, const RunningError& shift,
-                         double coordinates) {
-  const Vector3<double> rough{m[0].value, m[1].value, m[2].value};
-  const auto end = [&dop](std::size_t slab, double weight) {
-    return weight < 0 ? dop.low[slab] : dop.high[slab];
-  };
-  double best = std::numeric_limits<double>::infinity();
-  const SlabTriple* chosen = nullptr;
+/// The triples whose weights bound −m · x and m · x best, rounded; none if no bound is finite.
+inline std::array<const SlabTriple*, 2> best_triples(const Kdop<double>& dop,
+                                                     const std::vector<SlabTriple>& triples,
+                                                     const Vector3<double>& m) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> best{infinity, infinity};
+  std::array<const SlabTriple*, 2> chosen{nullptr, nullptr};
   for (const SlabTriple& triple : triples) {
-    double sum = 0;
+    std::array<double, 2> sum{0, 0};
     for (std::size_t i = 0; i < 3; ++i) {
-      const double weight = triple.solve[i].dot(rough);
-      if (weight != 0) sum += weight * end(triple.slabs[i], weight);
+      const double weight = triple.solve[i].dot(m);
+      if (weight == 0) continue;
+      sum[0] -= weight * slab_end(dop, triple.slabs[i], -weight);
+      sum[1] += weight * slab_end(dop, triple.slabs[i], weight);
     }
-    if (sum < best) {
-      best = sum;
-      chosen = &triple;
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (sum[side] < best[side]) {
+        best[side] = sum[side];
+        chosen[side] = &triple;
+      }
     }
   }
-  if (chosen == nullptr) return best;
+  return chosen;
+}
+
+/// An upper bound on m · x + shift for all x of a k-DOP whose coordinates are at most
+/// `coordinates`; ∞ without a triple.
+///
+/// For any weights, m · x = Σ weightⱼ normalⱼ · x + ρ · x with ρ = m − Σ weightⱼ normalⱼ, which is
+/// at most Σ max(weightⱼ lowⱼ, weightⱼ highⱼ) + Σ|ρₖ| × coordinates. The smallest such sum with
+/// three weights and ρ = 0 is the maximum itself (duality of linear programs); rounded weights only
+/// make ρ about u.
+inline double slab_bound(const Kdop<double>& dop, const SlabTriple* triple,
+                         const Triple<RunningError>& m, const RunningError& shift,
+                         double coordinates) {
+  if (triple == nullptr) return std::numeric_limits<double>::infinity();
+  const Vector3<double> rough{m[0].value, m[1].value, m[2].value};
   RunningError sum = shift;
   Triple<RunningError> rest = m;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double weight = chosen->solve[i].dot(rough);
-    const std::size_t slab = chosen->slabs[i];
-    if (weight != 0) sum = sum + RunningError(weight) * RunningError(end(slab, weight));
+    const double weight = triple->solve[i].dot(rough);
+    const std::size_t slab = triple->slabs[i];
+    if (weight == 0) continue;
+    sum = sum + RunningError(weight) * RunningError(slab_end(dop, slab, weight));
     for (std::size_t k = 0; k < 3; ++k) {
       rest[k] = rest[k] - RunningError(weight) * RunningError(dop.normals[slab][int(k)]);
     }
@@ -125,11 +136,9 @@ inline double slab_bound(const Kdop<double>& dop, const std::vector<SlabTriple>&
   for (const RunningError& r : rest) error += (std::abs(r.value) + r.bound) * coordinates;
   return sum_up(sum.value, error * (1 + 16 * RunningError::u) + RunningError::floor);
 }
-// [/slab-bound]
 
 }  // namespace detail
 
-// [carried-kdop]
 /// A k-DOP carried along: slabs of the same normals that contain the image of the k-DOP.
 ///
 /// But for rounding, the smallest ones: each offset is the maximum of n · (o + A x) over the k-DOP,
@@ -154,9 +163,11 @@ Kdop<S> carried(const Kdop<S>& dop, const CoordinateFrame<S>& frame) {
   for (const Vector3<double>& n : body.normals) {
     detail::Triple<RunningError> m = detail::direction_before(axes, n);
     const RunningError shift = detail::dot(detail::triple<RunningError>(n), origin);
-    const double high = detail::slab_bound(body, triples, m, shift, coordinates);
+    const auto [lower, upper] =
+        detail::best_triples(body, triples, Vector3<double>(m[0].value, m[1].value, m[2].value));
+    const double high = detail::slab_bound(body, upper, m, shift, coordinates);
     for (RunningError& x : m) x = -x;
-    const double low = -detail::slab_bound(body, triples, m, -shift, coordinates);
+    const double low = -detail::slab_bound(body, lower, m, -shift, coordinates);
     result.low.push_back(downward<S>(low));
     result.high.push_back(upward<S>(high));
     if (!std::isfinite(result.low.back()) || !std::isfinite(result.high.back())) {
@@ -166,6 +177,5 @@ Kdop<S> carried(const Kdop<S>& dop, const CoordinateFrame<S>& frame) {
   }
   return result;
 }
-// [/carried-kdop]
 
 }  // namespace contact

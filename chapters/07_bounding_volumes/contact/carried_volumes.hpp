@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
 #include <contact/aabb.hpp>
@@ -87,8 +89,8 @@ Carried<S> carried_point(const CoordinateFrame<S>& frame, const Vector3<double>&
 }
 
 /// Throws unless a number of a carried volume is finite.
-template <FloatOrDouble S>
-S require_carried(const CoordinateFrame<S>& frame, S x) {
+template <FloatOrDouble S, std::floating_point T>
+T require_carried(const CoordinateFrame<S>& frame, T x) {
   if (!std::isfinite(x)) {
     throw_invalid_argument("frame", vector_text(frame.origin),
                            "must be finite, and the carried volume must not overflow");
@@ -151,7 +153,6 @@ Sphere<S> carried(const Sphere<S>& sphere, const CoordinateFrame<S>& frame) {
 }
 // [/carried-sphere]
 
-// [carried-oriented-box]
 /// An oriented box carried along. The product B of the axes is rounded, and so is the centre; the
 /// half lengths grow by a bound on what that can take from the image.
 ///
@@ -188,7 +189,6 @@ OrientedBox<S> carried(const OrientedBox<S>& box, const CoordinateFrame<S>& fram
   result.half_lengths = detail::grown_half_lengths(frame, half, error + 2 * detail::carry_floor);
   return result;
 }
-// [/carried-oriented-box]
 
 // [carried-box]
 /// An axis-aligned box carried along: an oriented box, with the axes of the frame as stored. Only
@@ -215,13 +215,37 @@ OrientedBox<S> carried(const Aabb<S>& box, const CoordinateFrame<S>& frame) {
 }
 // [/carried-box]
 
+namespace detail {
+
+/// The smallest and the largest coordinate k in the world of a box in a frame, rounded outwards.
+///
+/// Each sum has at most four roundings and is off by at most γ(4) times the sum s of the magnitudes
+/// of its terms. It is moved outwards by 8 u s, which also covers the rounding of that move.
+template <FloatOrDouble S>
+std::array<S, 2> carried_range(const Aabb<S>& box, const CoordinateFrame<S>& frame, int k) {
+  double low = 0, high = 0, magnitude = 0;
+  for (int j = 0; j < 3; ++j) {
+    const double axis = static_cast<double>(frame.axes(k, j));
+    const double a = axis * static_cast<double>(box.low[j]);
+    const double b = axis * static_cast<double>(box.high[j]);
+    low += std::min(a, b);
+    high += std::max(a, b);
+    magnitude += std::max(std::abs(a), std::abs(b));
+  }
+  const double origin = static_cast<double>(frame.origin[k]);
+  const double error = 8 * carry_u * (magnitude + std::abs(origin)) + carry_floor;
+  require_carried(frame, error);
+  return {downward<S>(low + origin - error), upward<S>(high + origin + error)};
+}
+
+}  // namespace detail
+
 // [aabb-of-carried]
 /// An axis-aligned box that contains the image of another: for each coordinate the sum of the
-/// smaller of axis × low and axis × high, and of the larger ones.
+/// smaller of axis × low and axis × high, and of the larger ones, rounded outwards.
 ///
-/// Each sum has at most four roundings and is off by at most γ(4) times the sum of the magnitudes
-/// of its terms, for which it is moved outwards. If the object turns, this box is larger than that
-/// of the object's points: a cube's by up to √3 in each direction.
+/// If the object turns, this box is larger than that of the object's points: a cube's by up to √3
+/// in each direction.
 /// @param box m, in the frame
 /// @param frame taken as stored, also if its axes are no rotation
 /// @throws std::invalid_argument if the box has low > high, or a number is not finite
@@ -232,20 +256,9 @@ Aabb<S> aabb_of_carried(const Aabb<S>& box, const CoordinateFrame<S>& frame) {
   detail::require_box(box);
   Aabb<S> result;
   for (int k = 0; k < 3; ++k) {
-    double low = 0, high = 0, magnitude = 0;
-    for (int j = 0; j < 3; ++j) {
-      const double axis = static_cast<double>(frame.axes(k, j));
-      const double a = axis * static_cast<double>(box.low[j]);
-      const double b = axis * static_cast<double>(box.high[j]);
-      low += std::min(a, b);
-      high += std::max(a, b);
-      magnitude += std::max(std::abs(a), std::abs(b));
-    }
-    const double origin = static_cast<double>(frame.origin[k]);
-    const double error = 8 * detail::carry_u * (magnitude + std::abs(origin)) + detail::carry_floor;
-    if (!std::isfinite(error)) detail::require_carried(frame, static_cast<S>(error));
-    result.low[k] = detail::require_carried(frame, downward<S>(sum_down(low + origin, -error)));
-    result.high[k] = detail::require_carried(frame, upward<S>(sum_up(high + origin, error)));
+    const auto [low, high] = detail::carried_range(box, frame, k);
+    result.low[k] = detail::require_carried(frame, low);
+    result.high[k] = detail::require_carried(frame, high);
   }
   return result;
 }

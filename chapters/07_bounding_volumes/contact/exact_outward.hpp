@@ -26,6 +26,7 @@ template <FloatOrDouble S>
 S downward(const Exact& x) {
   return -upward<S>(-x);
 }
+// [/exact-outward]
 
 /// The smallest number of the type that is at least a double; NaN for NaN.
 template <FloatOrDouble S>
@@ -40,6 +41,5 @@ template <FloatOrDouble S>
 S downward(double x) {
   return -upward<S>(-x);
 }
-// [/exact-outward]
 
 }  // namespace contact

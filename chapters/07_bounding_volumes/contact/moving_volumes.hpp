@@ -11,9 +11,12 @@
 #include <contact/aabb.hpp>
 #include <contact/capsule.hpp>
 #include <contact/carried_volumes.hpp>
+#include <contact/error_free.hpp>
+#include <contact/exact.hpp>
 #include <contact/exact_outward.hpp>
 #include <contact/frame.hpp>
 #include <contact/invalid_argument.hpp>
+#include <contact/outward.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/ray_kdop.hpp>
 #include <contact/running_error.hpp>
@@ -26,8 +29,7 @@ namespace contact {
 /// A capsule that contains a sphere throughout a straight displacement.
 ///
 /// The end of its core, centre + displacement, is rounded. The core moves by at most the length of
-/// that error, which two_sum gives exactly, so the radius grows by it and by no more; without a
-/// rounding it stays.
+/// that error, which two_sum() gives exactly; the radius grows by the sum of its magnitudes.
 /// @param sphere at the start, m, finite, with a radius that is not negative
 /// @param displacement m, finite
 /// @throws std::invalid_argument if an argument does not satisfy this, or the result overflows
@@ -37,20 +39,33 @@ Capsule<S> swept(const Sphere<S>& sphere, const Vector3<S>& displacement) {
   require_finite("displacement", displacement);
   Capsule<S> result{{sphere.centre, sphere.centre}, sphere.radius};
   for (int k = 0; k < 3; ++k) {
-    const S end = sphere.centre[k] + displacement[k];
-    result.core.end[k] = end;
-    if (!std::isfinite(end)) {
+    const auto [end, error] = two_sum(S(sphere.centre[k]), S(displacement[k]));
+    if (!std::isfinite(end) || !std::isfinite(error)) {
       throw_invalid_argument("displacement", vector_text(displacement), "its capsule overflows");
     }
-    const Exact error = Exact(static_cast<double>(sphere.centre[k])) +
-                        Exact(static_cast<double>(displacement[k])) -
-                        Exact(static_cast<double>(end));
-    if (error.sign() != 0) result.radius = sum_up(result.radius, upward<S>(abs(error)));
+    result.core.end[k] = end;
+    result.radius = sum_up(result.radius, std::abs(error));
   }
   require_finite("radius", result.radius);
   return result;
 }
 // [/swept-sphere]
+
+namespace detail {
+
+/// The numbers low and high of a slab whose body moves by `along` times the length of its normal,
+/// rounded outwards; infinite ones stay.
+template <FloatOrDouble S>
+std::array<S, 2> swept_slab(S low, S high, const Exact& along) {
+  if (std::isnan(low) || std::isnan(high)) {
+    throw_invalid_argument("dop", "nan", "must be a number");
+  }
+  if (along.sign() < 0 && std::isfinite(low)) low = downward<S>(Exact(double(low)) + along);
+  if (along.sign() > 0 && std::isfinite(high)) high = upward<S>(Exact(double(high)) + along);
+  return {low, high};
+}
+
+}  // namespace detail
 
 // [swept-kdop]
 /// The smallest k-DOP with these normals, of representable numbers, that contains a k-DOP
@@ -66,17 +81,10 @@ Kdop<S> swept(const Kdop<S>& dop, const Vector3<S>& displacement) {
   const auto d = detail::triple<Exact>(displacement.template cast<double>());
   for (std::size_t k = 0; k < dop.normals.size(); ++k) {
     require_finite("normals", dop.normals[k]);
-    if (std::isnan(dop.low[k]) || std::isnan(dop.high[k])) {
-      throw_invalid_argument("dop", number_text(dop.low[k]), "must be a number");
-    }
-    const Exact along =
-        detail::dot(detail::triple<Exact>(dop.normals[k].template cast<double>()), d);
-    if (along.sign() < 0 && std::isfinite(dop.low[k])) {
-      result.low[k] = downward<S>(Exact(static_cast<double>(dop.low[k])) + along);
-    }
-    if (along.sign() > 0 && std::isfinite(dop.high[k])) {
-      result.high[k] = upward<S>(Exact(static_cast<double>(dop.high[k])) + along);
-    }
+    const auto n = detail::triple<Exact>(dop.normals[k].template cast<double>());
+    const auto [low, high] = detail::swept_slab(dop.low[k], dop.high[k], detail::dot(n, d));
+    result.low[k] = low;
+    result.high[k] = high;
   }
   return result;
 }
@@ -95,7 +103,6 @@ Aabb<S> aabb_in_any_orientation(const Vector3<S>& centre, S bounding_radius) {
 }
 // [/any-orientation]
 
-// [sagitta]
 /// An upper bound on r (1 − cos θ/2), the sagitta of an arc of radius r: how far a point that turns
 /// by θ is from its chord. θ is the angle between two orientations, from 0 to π.
 ///
@@ -135,7 +142,6 @@ S sagitta(const Quaternion<S>& from, const Quaternion<S>& to, S bounding_radius)
   }
   return upward<S>(std::min(bound * (1 + 4 * E::u), static_cast<double>(bounding_radius)));
 }
-// [/sagitta]
 
 namespace detail {
 
@@ -195,6 +201,7 @@ template <FloatOrDouble S>
 Aabb<S> aabb_of_motion(const Aabb<S>& start, const Aabb<S>& end, S margin) {
   return aabb_of_swept_box<S>(enclosing_box(start, end), Vector3<S>::Zero(), margin);
 }
+// [/aabb-of-motion]
 
 /// The same for a body in a box of its own frame, whose origin is the reference point, from one
 /// frame to another, the shorter way around.
@@ -214,6 +221,5 @@ Aabb<S> aabb_of_motion(const Aabb<S>& body, const CoordinateFrame<S>& from,
       upward<S>(furthest.stableNorm() * (1 + 8 * detail::carry_u) + detail::carry_floor);
   return aabb_of_motion(start, end, sagitta<S>(from.axes, to.axes, bounding_radius));
 }
-// [/aabb-of-motion]
 
 }  // namespace contact

@@ -12,6 +12,7 @@
 #include <contact/exact.hpp>
 #include <contact/frame.hpp>
 #include <contact/ray_kdop.hpp>
+#include <contact/running_error.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -39,6 +40,9 @@ inline std::optional<HalfSpace> half_space(const Vector3<double>& normal, double
 /// Whether b excludes no point that a keeps: parallel normals of one direction, compared exactly.
 inline bool is_implied(const Vector3<double>& a, double at_a, const Vector3<double>& b,
                        double at_b) {
+  for (const RunningError& x : cross(triple<RunningError>(a), triple<RunningError>(b))) {
+    if (x.certain_sign() != 0) return false;
+  }
   const Triple<Exact> n = triple<Exact>(a), m = triple<Exact>(b);
   for (const Exact& x : cross(n, m)) {
     if (x.sign() != 0) return false;

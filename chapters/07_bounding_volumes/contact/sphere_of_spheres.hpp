@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include <contact/aabb.hpp>
 #include <contact/enclosing_radius.hpp>
@@ -67,6 +68,63 @@ Vector3<S> centre_about(const Sphere<S>& a, const Sphere<S>& b) {
   return centre;
 }
 
+/// The two spheres with the lowest and the highest point along the axis in which all spheres extend
+/// furthest. Halves are compared, so that nothing overflows.
+template <FloatOrDouble S>
+std::array<std::size_t, 2> furthest_spheres(std::span<const Sphere<S>> spheres) {
+  std::array<std::size_t, 2> furthest{0, 0};
+  double widest = -1;
+  for (int k = 0; k < 3; ++k) {
+    const auto side = [&](std::size_t i, double sign) {
+      const Sphere<double> sphere = in_double(spheres[i]);
+      return sphere.centre[k] / 2 + sign * (sphere.radius / 2);
+    };
+    std::size_t low = 0, high = 0;
+    for (std::size_t i = 1; i < spheres.size(); ++i) {
+      if (side(i, -1) < side(low, -1)) low = i;
+      if (side(i, 1) > side(high, 1)) high = i;
+    }
+    const double width = side(high, 1) / 2 - side(low, -1) / 2;
+    if (width > widest) {
+      widest = width;
+      furthest = {low, high};
+    }
+  }
+  return furthest;
+}
+
+/// A sphere about two, rounded, which may miss either by a rounding: where only the centre of the
+/// last one matters.
+template <FloatOrDouble S>
+Sphere<S> rounded_sphere_about(const Sphere<S>& a, const Sphere<S>& b) {
+  const double distance =
+      (a.centre.template cast<double>() - b.centre.template cast<double>()).stableNorm();
+  const double first = static_cast<double>(a.radius), second = static_cast<double>(b.radius);
+  if (distance + second <= first) return a;
+  if (distance + first <= second) return b;
+  const double radius = distance / 2 + first / 2 + second / 2;
+  return {centre_about(a, b), static_cast<S>(radius)};
+}
+
+/// The radius about a centre that encloses all spheres; only those that may be the furthest are
+/// compared exactly. Half of |c − p| + r is computed in double, off by a few u and a few η.
+template <FloatOrDouble S>
+S radius_about_far_ones(const Vector3<S>& centre, std::span<const Sphere<S>> spheres) {
+  const auto furthest = [&centre](const Sphere<S>& sphere) {
+    const Vector3<double> d =
+        sphere.centre.template cast<double>() - centre.template cast<double>();
+    return d.stableNorm() / 2 + static_cast<double>(sphere.radius) / 2;
+  };
+  double largest = 0;
+  for (const Sphere<S>& sphere : spheres) largest = std::max(largest, furthest(sphere));
+  std::vector<Sphere<S>> far;
+  for (const Sphere<S>& sphere : spheres) {
+    const double room = 0x1p-40 * largest + 8 * tolerance::underflow_unit<double>;
+    if (furthest(sphere) >= largest - room) far.push_back(sphere);
+  }
+  return enclosing_radius(centre, std::span<const Sphere<S>>(far));
+}
+
 }  // namespace detail
 
 // [sphere-of-two]
@@ -104,29 +162,11 @@ Sphere<S> enclosing_sphere(const Sphere<S>& a, const Sphere<S>& b) {
 template <FloatOrDouble S>
 Sphere<S> grown_sphere_of_spheres(std::span<const Sphere<S>> spheres) {
   if (spheres.empty()) throw_invalid_argument("spheres", "{}", "needs at least one sphere");
-  std::size_t low = 0, high = 0;
-  double widest = -1;
   for (const Sphere<S>& sphere : spheres) detail::require_sphere(sphere);
-  for (int k = 0; k < 3; ++k) {
-    const auto side = [&](std::size_t i, double sign) {
-      const Sphere<double> sphere = in_double(spheres[i]);
-      return sphere.centre[k] / 2 + sign * (sphere.radius / 2);
-    };
-    std::size_t first = 0, last = 0;
-    for (std::size_t i = 1; i < spheres.size(); ++i) {
-      if (side(i, -1) < side(first, -1)) first = i;
-      if (side(i, 1) > side(last, 1)) last = i;
-    }
-    const double width = side(last, 1) / 2 - side(first, -1) / 2;
-    if (width > widest) {
-      widest = width;
-      low = first;
-      high = last;
-    }
-  }
-  Sphere<S> grown = enclosing_sphere(spheres[low], spheres[high]);
-  for (const Sphere<S>& sphere : spheres) grown = enclosing_sphere(grown, sphere);
-  grown.radius = enclosing_radius(grown.centre, spheres);
+  const auto [low, high] = detail::furthest_spheres(spheres);
+  Sphere<S> grown = detail::rounded_sphere_about(spheres[low], spheres[high]);
+  for (const Sphere<S>& sphere : spheres) grown = detail::rounded_sphere_about(grown, sphere);
+  grown.radius = detail::radius_about_far_ones(grown.centre, spheres);
   return grown;
 }
 // [/sphere-of-spheres]

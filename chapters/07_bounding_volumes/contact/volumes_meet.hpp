@@ -56,6 +56,12 @@ bool may_meet(const Aabb<S>& a, const Aabb<S>& b) {
 
 namespace detail {
 
+/// Whether all numbers of an oriented box are finite.
+template <FloatOrDouble S>
+bool is_finite_box(const OrientedBox<S>& box) {
+  return all_finite(box.centre) && all_finite(box.axes) && all_finite(box.half_lengths);
+}
+
 /// An oriented box with what all of its axes share: its face normals as cross products.
 struct BoxTerms {
   std::array<Vector3<double>, 3> axes;     ///< as stored
@@ -124,43 +130,46 @@ inline bool edge_pair_separates(const BoxTerms& a, const BoxTerms& b, const Tabl
 }
 // [/box-edges]
 
+/// A margin that covers the rounding of both sides along each of the fifteen axes.
+///
+/// Let n be such an axis. The boxes as stored, parallelepipeds, are apart if |n · d| exceeds r, the
+/// sum of their supports along n, Σ half length × |n · axis|. Each term of n · d and of r is a
+/// product of a length and at most three entries of axes, with at most 6 and 9 roundings; without
+/// signs, the terms of a length x add up to at most x m³, m the largest sum of the magnitudes of an
+/// axis. So with s = m² (max |d| + m Σ half lengths), |n · d| − r is off by at most γ(10) s, plus
+/// 16 η and a share of s that is far below u for underflow. 16 u s + 16 η is above that, its own
+/// roundings included.
+inline double boxes_margin(const BoxTerms& a, const BoxTerms& b, const Vector3<double>& d) {
+  const double m = std::max(a.longest, b.longest);
+  const double s = m * m * (d.cwiseAbs().maxCoeff() + m * (a.size + b.size));
+  return 16 * tolerance::unit_roundoff<double> * s + 16 * tolerance::underflow_unit<double>;
+}
+
 }  // namespace detail
 
 // [boxes-meet]
 /// Whether two oriented boxes may have a point in common: no plane along one of the fifteen axes is
 /// certain to separate them. Rounded and conservative: never false for stored boxes with a common
-/// point, whatever their axes are.
+/// point, whatever their axes are; see detail::boxes_margin(). Parallel edges give n = 0, and 0
+/// exceeds nothing.
 ///
-/// Proof. Let n be such an axis; the boxes as stored, parallelepipeds, are apart if |n · d| exceeds
-/// r, the sum of their supports along n, which is the sum of half length × |n · axis|. Each term of
-/// n · d and of r is a product of a length and at most three entries of axes, with at most 6 and 9
-/// roundings; without signs the terms of a length x add up to at most x m³, m the largest sum of
-/// the magnitudes of an axis. So with s = m² (max |d| + m Σ half lengths), |n · d| − r is off by
-/// at most γ(10) s and by 16 η + 8 η s for underflow, and 16 u s + 16 η is above that, its own
-/// roundings included. Parallel edges give n = 0, and 0 exceeds nothing.
-///
-/// It says "may" for some that are apart: if no gap along the fifteen axes exceeds twice the bound,
-/// about 32 u s.
+/// It says "may" for some that are apart: if no gap along the fifteen axes exceeds twice the
+/// margin, about 10^-14 of the size.
 /// @param a, b with half lengths that are not negative; they may be 0
-/// @return false if a number is not finite
+/// @return false if a number is not finite; true if a product overflows
 /// @see Gottschalk, Lin and Manocha, *OBBTree*, SIGGRAPH 1996
 template <FloatOrDouble S>
 bool may_meet(const OrientedBox<S>& a, const OrientedBox<S>& b) {
-  const detail::BoxTerms first(a), second(b);
+  const detail::BoxTerms p(a), q(b);
   const Vector3<double> d = a.centre.template cast<double>() - b.centre.template cast<double>();
-  const double m = std::max(first.longest, second.longest);
-  const double s = m * m * (d.cwiseAbs().maxCoeff() + m * (first.size + second.size));
-  const double margin =
-      16 * tolerance::unit_roundoff<double> * s + 16 * tolerance::underflow_unit<double>;
-  if (!std::isfinite(margin + d.sum() + first.volume + second.volume)) {  // overflow, or an input
-    return all_finite(a.centre) && all_finite(a.axes) && all_finite(a.half_lengths) &&
-           all_finite(b.centre) && all_finite(b.axes) && all_finite(b.half_lengths);
-  }
-  const detail::Table of_a = detail::determinants(first, second);
-  if (detail::face_separates(first, second, of_a, d, margin)) return false;
-  const detail::Table of_b = detail::determinants(second, first);
-  return !detail::face_separates(second, first, of_b, d, margin) &&
-         !detail::edge_pair_separates(first, second, of_a, of_b, d, margin);
+  const double margin = detail::boxes_margin(p, q, d);
+  const bool in_range = std::isfinite(margin + d.sum() + p.volume + q.volume);
+  if (!in_range) return detail::is_finite_box(a) && detail::is_finite_box(b);
+  const detail::Table of_p = detail::determinants(p, q);
+  if (detail::face_separates(p, q, of_p, d, margin)) return false;
+  const detail::Table of_q = detail::determinants(q, p);
+  return !detail::face_separates(q, p, of_q, d, margin) &&
+         !detail::edge_pair_separates(p, q, of_p, of_q, d, margin);
 }
 // [/boxes-meet]
 
