@@ -2,6 +2,7 @@
 /// The book's smallest sphere and small oriented box compared with those of other programs.
 #pragma once
 
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,14 +37,15 @@ inline constexpr double patience = 3e8;
 
 inline std::span<const Point> span_of(const Points& points) { return points; }
 
-/// Whether a method ends within 10 s. Some programs do not for some input, so it is asked in a
-/// process of its own first.
+/// Whether a method ends within 10 s of processor time. Some programs do not for some input, so it
+/// is asked in a process of its own first.
 template <class Answer>
 bool ends(const comparison::Method<Answer>& method, Answer answer) {
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
-    alarm(10);
+    const itimerval limit{{0, 0}, {10, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);  // of processor time, then it is ended
     method.ask(answer);
     comparison::leave(0);
   }

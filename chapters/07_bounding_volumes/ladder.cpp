@@ -27,7 +27,6 @@ namespace {
 
 using contact::Aabb;
 using contact::BoundingVolume;
-using contact::CoordinateFrame;
 using contact::Kdop;
 using contact::Mesh;
 using contact::OrientedBox;
@@ -139,7 +138,6 @@ ladder::Ladder<Asked, Answer> experiment() {
   family("sphere-line", "nearly on a line", Family::collinear, false);
   family("sphere-far", "10⁶ from the origin", Family::far_6, false);
   family("size-box", "in a box, how large", Family::in_box, true);
-  family("size-few", "few points, how large", Family::few, true);
   family("size-mesh", "of a mesh, how large", Family::mesh_vertices, true);
 
   const auto in_both = [&ladder](auto method, const ladder::Method& of_float,
