@@ -37,7 +37,7 @@ Points<S> drawn(Random& random, int i) {
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
     Vector2<double> p(x, y);
     if (i % 5 == 1) p = (4 * p).array().round().matrix();
-    if (i % 5 == 2) p = p / std::hypot(x, y) + Vector2<double>(dx, dy);
+    if (i % 5 == 2) p = p / std::sqrt(x * x + y * y) + Vector2<double>(dx, dy);
     if (i % 5 == 3) p = Vector2<double>(dx, dy) * x;
     points.push_back(p.cast<S>());
     if (i % 5 == 4 && k > 2) points.back() = points[static_cast<std::size_t>(k % 3)];

@@ -10,7 +10,6 @@
 
 namespace contact {
 
-// [bounded-double-double]
 /// An unevaluated sum of two doubles and a bound on its error: the exact number differs from high +
 /// low by at most bound.
 ///
@@ -46,6 +45,7 @@ struct BoundedDoubleDouble {
   friend BoundedDoubleDouble operator-(const BoundedDoubleDouble& x) {
     return {-x.high, -x.low, x.bound};
   }
+  // [double-double-sum]
   friend BoundedDoubleDouble operator+(const BoundedDoubleDouble& x, const BoundedDoubleDouble& y) {
     const auto highs = two_sum(x.high, y.high), lows = two_sum(x.low, y.low);
     const auto middle = two_sum(highs.error, lows.value);
@@ -55,6 +55,7 @@ struct BoundedDoubleDouble {
     const double left_out = std::abs(middle.error) + std::abs(lower.error);
     return {sum.value, sum.error, up(x.bound + y.bound + left_out)};
   }
+  // [/double-double-sum]
   friend BoundedDoubleDouble operator-(const BoundedDoubleDouble& x, const BoundedDoubleDouble& y) {
     return x + -y;
   }
@@ -100,7 +101,6 @@ struct BoundedDoubleDouble {
                 RunningError::floor};
   }
 };
-// [/bounded-double-double]
 
 namespace detail {
 

@@ -14,6 +14,7 @@
 #include <contact/running_error.hpp>
 #include <contact/shapes.hpp>
 #include <contact/vector.hpp>
+#include <cstddef>
 #include <limits>
 #include <span>
 
@@ -27,6 +28,28 @@ T excess(const detail::Triple<T>& d, const T& radius) {
   return detail::dot(d, d) - radius * radius;
 }
 
+/// The sign of |p − c|² − r² with twice as many digits, or else exactly.
+template <FloatOrDouble S>
+int excess_sign_in_doubt(const Vector3<S>& centre, S radius, const Vector3<S>& point) {
+  const double r = static_cast<double>(radius);
+  detail::Triple<BoundedDoubleDouble> sharp;
+  detail::Triple<Exact> exact;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int i = static_cast<int>(k);
+    const double p = static_cast<double>(point(i)), c = static_cast<double>(centre(i));
+    const auto [difference, error] = two_sum(p, -c);
+    sharp[k] = {difference, error, 0};
+  }
+  bool sure = true;
+  const int sign = detail::sign_of(excess<BoundedDoubleDouble>(sharp, r), sure);
+  if (sure) return sign;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int i = static_cast<int>(k);
+    exact[k] = Exact(static_cast<double>(point(i))) - Exact(static_cast<double>(centre(i)));
+  }
+  return excess<Exact>(exact, r).sign();
+}
+
 // [excess-sign]
 /// The sign of |p − c|² − r²: −1 inside, 0 on the surface, 1 outside.
 ///
@@ -37,24 +60,13 @@ T excess(const detail::Triple<T>& d, const T& radius) {
 /// @param radius finite
 template <FloatOrDouble S>
 int excess_sign(const Vector3<S>& centre, S radius, const Vector3<S>& point) {
-  const Vector3<double> c = centre.template cast<double>(), p = point.template cast<double>();
+  const Vector3<double> d = point.template cast<double>() - centre.template cast<double>();
   const double r = static_cast<double>(radius);
-  const Vector3<double> d = p - c;
   const double distance_squared = d.dot(d), value = distance_squared - r * r;
   const double bound = 8 * RunningError::u * (distance_squared + r * r) + RunningError::floor;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  detail::Triple<BoundedDoubleDouble> sharp;
-  detail::Triple<Exact> exact;
-  for (int k = 0; k < 3; ++k) {
-    const auto [difference, error] = two_sum(p(k), -c(k));
-    sharp[static_cast<std::size_t>(k)] = {difference, error, 0};
-  }
-  bool sure = true;
-  const int sign = detail::sign_of(excess<BoundedDoubleDouble>(sharp, r), sure);
-  if (sure) return sign;
-  for (int k = 0; k < 3; ++k) exact[static_cast<std::size_t>(k)] = Exact(p(k)) - Exact(c(k));
-  return excess<Exact>(exact, r).sign();
+  return excess_sign_in_doubt(centre, radius, point);
 }
 // [/excess-sign]
 
@@ -123,7 +135,6 @@ bool contains(const Sphere<S>& sphere, const Vector3<S>& point) {
 }
 // [/contains]
 
-// [enclosing-radius]
 /// The smallest number of S that is at least the distance of every point from a centre: with it, a
 /// sphere contains all of them, and with the next smaller number it does not.
 ///
@@ -134,6 +145,7 @@ bool contains(const Sphere<S>& sphere, const Vector3<S>& point) {
 /// @param points n ≥ 1 points, m, finite, of any magnitude
 /// @throws std::invalid_argument if there is no point, a number is not finite, or the radius is
 /// larger than the largest number
+// [enclosing-radius]
 template <FloatOrDouble S>
 S enclosing_radius(const Vector3<S>& centre, std::span<const Vector3<S>> points) {
   require_finite("centre", centre);
@@ -177,7 +189,6 @@ bool sticks_out(const Vector3<S>& centre, S radius, const Sphere<S>& sphere) {
 
 }  // namespace sphere_detail
 
-// [enclosing-radius-of-spheres]
 /// The smallest number of S with which a sphere about a centre contains every sphere of a list: at
 /// least every |c' − c| + r'.
 /// @param centre m, finite
@@ -213,6 +224,5 @@ S enclosing_radius(const Vector3<S>& centre, std::span<const Sphere<S>> spheres)
   }
   return radius;
 }
-// [/enclosing-radius-of-spheres]
 
 }  // namespace contact

@@ -159,6 +159,7 @@ Sphere<S> grown_sphere(std::span<const Vector3<S>> points) {
   const Vector3<S> centre = sphere_detail::grown(points, scale).centre / scale;
   return {centre, enclosing_radius(centre, points)};
 }
+// [/grown]
 
 /// The sphere about the mean of the points, with the smallest radius that encloses them.
 ///
@@ -193,6 +194,5 @@ Sphere<S> box_centre_sphere(std::span<const Vector3<S>> points) {
   for (int k = 0; k < 3; ++k) centre(k) = std::midpoint(box.low(k), box.high(k));
   return {centre, enclosing_radius(centre, points)};
 }
-// [/grown]
 
 }  // namespace contact

@@ -84,11 +84,11 @@ class LocalPoints {
     return d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
   }
 
-  // [farthest]
   /// A point whose computed distance from a centre is largest.
   ///
   /// Blocks of points are measured without branches, four maxima at a time, because each maximum
   /// waits for the one before. Only where a block has a larger one, its point is looked for.
+  // [farthest]
   Farthest farthest(const Vector3<double>& c) const {
     Farthest found{-1, 0};
     std::array<double, block> squares;

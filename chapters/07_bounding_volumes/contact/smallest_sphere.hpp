@@ -271,7 +271,6 @@ class SupportBall {
 
 }  // namespace sphere_detail
 
-// [smallest-sphere]
 /// The smallest sphere that encloses all points, decided without error.
 ///
 /// Pivoting on the farthest point: a ball that is the smallest one of at most four points, its
@@ -291,6 +290,7 @@ class SupportBall {
 /// overflows
 ///
 /// Source: Gärtner, *Fast and robust smallest enclosing balls*, ESA 1999, for the pivot rule.
+// [smallest-sphere]
 template <FloatOrDouble S>
 SmallestSphere<S> smallest_sphere(std::span<const Vector3<S>> points) {
   sphere_detail::require_points(points);
