@@ -188,6 +188,7 @@ struct Answer {
   Volume volume;
   Asked of = {};  ///< in the true answer
 };
+Answer truth(const Asked& input) { return {{}, input}; }
 /// The volume that counts as no error, m³.
 using Least = double (*)(const Placed& body, const Volume& got);
 
@@ -204,21 +205,18 @@ auto judge(Least least) {
   };
 }
 
-ladder::Example example_of(const Placed* input, const Volume& got, double least) {
-  ladder::Example example;
-  const auto& axes = input->frame.axes;
-  example.facts = {{"shape", all()[static_cast<std::size_t>(input->shape)].name},
-                   ladder::numbers("its x axis", Point(axes.col(0))),
-                   ladder::numbers("its y axis", Point(axes.col(1))),
-                   ladder::numbers("its z axis", Point(axes.col(2))),
-                   ladder::number("volume, m³", size_of(got)),
-                   ladder::number("without error, m³", least)};
-  example.note = "In the figure of tightness you can turn the same shape.";
-  return example;
-}
 auto shown(Least least) {
   return [least](const Asked& input, const Answer& got, const Answer&, const ladder::Method&) {
-    return example_of(input.get(), got.volume, least(*input, got.volume));
+    const auto& axes = input->frame.axes;
+    ladder::Example example;
+    example.facts = {{"shape", all()[static_cast<std::size_t>(input->shape)].name},
+                     ladder::numbers("its x axis", Point(axes.col(0))),
+                     ladder::numbers("its y axis", Point(axes.col(1))),
+                     ladder::numbers("its z axis", Point(axes.col(2))),
+                     ladder::number("volume, m³", size_of(got.volume)),
+                     ladder::number("without error, m³", least(*input, got.volume))};
+    example.note = "In the figure of tightness you can turn the same shape.";
+    return example;
   };
 }
 
@@ -247,10 +245,7 @@ double of_hull(const shapes::Placed& body, const shapes::Volume&) {
 
 ladder::Ladder<Asked, Answer> experiment() {
   ladder::Ladder<Asked, Answer> ladder(
-      "How much larger than the hull, and what does it cost to make?",
-      [](const Asked& input) {
-        return Answer{{}, input};
-      },
+      "How much larger than the hull, and what does it cost to make?", shapes::truth,
       shapes::judge(of_hull));
   ladder.at_most(8);
   shapes::families(ladder, "make-");
@@ -349,10 +344,7 @@ double made_anew(const shapes::Placed& body, const shapes::Volume& got) {
 
 ladder::Ladder<Asked, Answer> experiment() {
   ladder::Ladder<Asked, Answer> ladder(
-      "How much does it grow in a new pose, and what does that cost?",
-      [](const Asked& input) {
-        return Answer{{}, input};
-      },
+      "How much does it grow in a new pose, and what does that cost?", shapes::truth,
       shapes::judge(made_anew));
   ladder.at_most(20);
   shapes::families(ladder, "carry-");
