@@ -120,6 +120,72 @@ TEST_CASE("the smallest sphere of any four points of a small grid is right") {
   }
 }
 
+TEST_CASE("points that miss a common circle by far less than an ulp are decided") {
+  // Whole points on a circle of radius 65, some of them lifted off its plane by 2^-30 to 2^-500.
+  constexpr std::array<std::array<int, 2>, 4> found{{{65, 0}, {63, 16}, {60, 25}, {56, 33}}};
+  Random random(12);
+  std::array<int, 5> supports{};
+  for (int i = 0; i < generators::tried(3000); ++i) {
+    Points<double> points;
+    const int count = random.integer(3, 8), exponent = random.integer(30, 500);
+    for (int k = 0; k < count; ++k) {
+      const auto& p = found[static_cast<std::size_t>(random.integer(0, 3))];
+      const double x = random.chance(0.5) ? p[0] : -p[0], y = random.chance(0.5) ? p[1] : -p[1];
+      const double z = random.integer(-2, 2) * std::ldexp(1.0, -exponent);
+      points.push_back(random.chance(0.5) ? Vector3<double>(x, y, z) : Vector3<double>(y, x, z));
+    }
+    const auto result = smallest_sphere(span_of(points));
+    INFO("case " << i);
+    REQUIRE(is_right(result, points));
+    ++supports[static_cast<std::size_t>(result.support_count)];
+  }
+  for (const std::size_t count : {2U, 3U, 4U}) {
+    INFO("supports of " << count);
+    CHECK(supports[count] > generators::tried(100));
+  }
+}
+
+/// Whether a number stands for another one, times a power of two.
+template <class T>
+bool stands_for(const T& x, const Rational& exact, double scale) {
+  Rational value = 0;
+  if constexpr (std::is_same_v<T, contact::RunningError>) {
+    value = oracle::exact(x.value);
+  } else {
+    value = oracle::exact(x.high) + oracle::exact(x.low);
+  }
+  return abs(value - exact * oracle::exact(scale)) <= oracle::exact(x.bound);
+}
+
+TEMPLATE_TEST_CASE("differences of points are within their bounds", "", float, double) {
+  using S = TestType;
+  Random random(13);
+  for (int i = 0; i < generators::tried(2000); ++i) {
+    Points<S> points = drawn<S>(random, i, 4);
+    if (i % 3 == 0) {
+      constexpr int most = std::numeric_limits<S>::max_exponent - 45;
+      points = volume_families::scaled<S>(points, std::ldexp(S(1), random.integer(-most, most)));
+    }
+    // Coordinates of very different magnitudes.
+    if (i % 3 == 1) points.push_back(points[0] * std::ldexp(S(1), -random.integer(1, 100)));
+    const contact::sphere_detail::LocalPoints<S> local{span_of(points)};
+    const double scale = local.scaling().scale();
+    const int last = local.size() - 1;
+    const auto rough = local.template difference<contact::RunningError>(last, 0);
+    const auto sharp = local.template difference<contact::BoundedDoubleDouble>(last, 0);
+    INFO("case " << i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational exact =
+          oracle::exact(local.coordinate(last, k)) - oracle::exact(local.coordinate(0, k));
+      REQUIRE(stands_for(rough[k], exact, scale));
+      REQUIRE(stands_for(sharp[k], exact, scale));
+      const Rational here = oracle::exact(local[last](static_cast<int>(k)));
+      REQUIRE(abs(here - exact * oracle::exact(scale)) <=
+              abs(here) * oracle::exact(0x1p-53) + oracle::exact(0x1p-1000));
+    }
+  }
+}
+
 TEST_CASE("points of a sphere of whole numbers are all on the surface of the smallest one") {
   Random random(3);
   for (int i = 0; i < generators::tried(200); ++i) {

@@ -43,7 +43,7 @@ detail::Triple<T> times(const T& s, const detail::Triple<T>& x) {
 
 /// Which of up to four points belong to a set: bit i for point i.
 using Subset = unsigned;
-/// All sets of one, two or three of four points.
+/// All sets of one, two or three of four points, small ones first: they cost less to decide.
 inline constexpr std::array<Subset, 14> small_subsets{1, 2,  4,  8, 3,  5,  6,
                                                       9, 10, 12, 7, 11, 13, 14};
 
