@@ -1,5 +1,6 @@
 #include <04_rays/slab_truth.hpp>
 #include <contact/ray_kdop.hpp>
+#include <limits>
 #include <stdexcept>
 
 namespace {
@@ -81,6 +82,24 @@ TEST_CASE("a 14-DOP of a cube's corners is the cube; of an octahedron's it cuts 
   REQUIRE(hit);
   CHECK(hit->t == 4.5);
   CHECK(hit->face == 9);  // x + y - z <= 1
+}
+
+TEST_CASE("a k-DOP of points contains them also where a bound overflows") {
+  for (const double sign : {1.0, -1.0}) {
+    const std::vector<Vector3<double>> points{Vector3<double>(1e308, 1e308, 1e308) * sign};
+    const Kdop<double> dop =
+        contact::kdop_of_points<double>(contact::kdop_normals<double>(14), points);
+    for (std::size_t k = 0; k < dop.normals.size(); ++k) {
+      const contact::Exact at =
+          contact::exact_vector(dop.normals[k]).dot(contact::exact_vector(points[0]));
+      const auto is_at_most = [](double x, const contact::Exact& y) {
+        return x == -std::numeric_limits<double>::infinity() ||
+               (x < std::numeric_limits<double>::infinity() && contact::Exact(x) <= y);
+      };
+      CHECK(is_at_most(dop.low[k], at));
+      CHECK(is_at_most(-dop.high[k], -at));
+    }
+  }
 }
 
 TEST_CASE("what a k-DOP refuses") {

@@ -2,17 +2,16 @@
 /// Line, ray and segment against a k-DOP: a box with more pairs of parallel faces.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 
 #include <contact/exact.hpp>
+#include <contact/exact_outward.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/passage.hpp>
 #include <contact/shapes.hpp>
 #include <contact/slabs.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,7 +56,7 @@ std::vector<Vector3<S>> kdop_normals(int k) {
 // [/kdop]
 
 /// The smallest k-DOP of representable numbers that contains all points: low and high are computed
-/// exactly and rounded outward.
+/// exactly and rounded outward. Beyond the largest number, low stays that number and high is ∞.
 /// @param normals k/2, finite, none 0
 /// @param points n ≥ 1, m, finite
 /// @throws std::invalid_argument if there is no point or normal, or a number is not finite, or a
@@ -82,12 +81,8 @@ Kdop<S> kdop_of_points(const std::vector<Vector3<S>>& normals, std::span<const V
       if (at < low) low = at;
       if (high < at) high = at;
     }
-    constexpr S infinity = std::numeric_limits<S>::infinity();
-    S below = rounded<S>(low), above = rounded<S>(high);
-    if (is_finite(below) && low < Exact(double(below))) below = std::nextafter(below, -infinity);
-    if (is_finite(above) && Exact(double(above)) < high) above = std::nextafter(above, infinity);
-    dop.low.push_back(below);
-    dop.high.push_back(above);
+    dop.low.push_back(downward<S>(low));
+    dop.high.push_back(upward<S>(high));
   }
   return dop;
 }
