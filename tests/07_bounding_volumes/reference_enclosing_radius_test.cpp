@@ -210,7 +210,7 @@ TEMPLATE_TEST_CASE("the enclosing radius of spheres is the smallest number that 
   Random random(7);
   for (int i = 0; i < generators::tried(2000); ++i) {
     const auto points = drawn<S>(random, i);
-    const Vector3<S> centre = points[0];
+    const Vector3<S>& centre = points[0];
     std::vector<Sphere<S>> spheres;
     for (const auto& p : points) {
       // From far smaller than the distance to far larger.
@@ -227,10 +227,12 @@ TEMPLATE_TEST_CASE("the enclosing radius of spheres is the smallest number that 
 TEST_CASE("an enclosing radius of invalid points or spheres is refused") {
   const Vector3<double> origin(0, 0, 0), x(1, 0, 0);
   const double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1.7e308;
-  const auto of_points = [](const Vector3<double>& centre, std::vector<Vector3<double>> points) {
+  const auto of_points = [](const Vector3<double>& centre,
+                            const std::vector<Vector3<double>>& points) {
     return enclosing_radius(centre, span_of(points));
   };
-  const auto of_spheres = [](const Vector3<double>& centre, std::vector<Sphere<double>> spheres) {
+  const auto of_spheres = [](const Vector3<double>& centre,
+                             const std::vector<Sphere<double>>& spheres) {
     return enclosing_radius(centre, std::span<const Sphere<double>>(spheres));
   };
   CHECK(of_points(origin, {x}) == 1);
