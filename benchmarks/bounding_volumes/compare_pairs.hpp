@@ -125,9 +125,9 @@ inline void compare_boxes(std::size_t count, int runs) {
        {Contact::corner_on_face, "oriented boxes, a corner on a face but for rounding"},
        {Contact::edge_on_edge, "oriented boxes, an edge on an edge but for rounding"},
        {Contact::parallel, "oriented boxes, parallel, touching but for rounding"}}};
-  for (const auto& [contact, title] : families) {
+  for (const auto& [how, title] : families) {
     const auto all = drawn<volume_pairs::Box>(
-        title, count, 3, [contact](auto& random) { return volume_pairs::boxes(random, contact); });
+        title, count, 3, [how = how](auto& random) { return volume_pairs::boxes(random, how); });
     std::vector<std::array<peers::Box, 2>> plain;
     for (const auto& [a, b] : all.pairs) {
       plain.push_back({volume_pairs::plain(a), volume_pairs::plain(b)});

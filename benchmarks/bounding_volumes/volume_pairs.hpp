@@ -58,11 +58,9 @@ inline bool meet(const Pair<contact::Sphere<double>>& pair) {
 inline Pair<contact::Sphere<double>> spheres(Random& random, bool touching) {
   const Point centre = 2 * in_cube(random);
   const double radius = random.uniform(0.3, 1.5);
-  const Point other = 2 * in_cube(random);
-  if (!touching) return {{{centre, radius}, {other, random.uniform(0.3, 1.5)}}};
-  const double distance = std::sqrt((other - centre).dot(other - centre));
-  const double part = random.uniform(0.1, 0.9) * distance;
-  return {{{centre, part}, {other, distance - part}}};
+  const double other = random.uniform(0.3, 1.5);
+  const Point at = 2 * in_cube(random), towards = direction(random);
+  return {{{centre, radius}, {touching ? centre + (radius + other) * towards : at, other}}};
 }
 
 // ---------------------------------------------------------------- boxes with the world's axes

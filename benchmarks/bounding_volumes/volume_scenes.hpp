@@ -183,7 +183,7 @@ inline std::optional<double> proven_radius(const Points& points, std::span<const
   if (!smallest) return std::nullopt;
   // Doubles decide for points far inside: their differences from a point of the set and those of
   // the centre are rounded relative to the size of the set.
-  const Point base = points[static_cast<std::size_t>(support[0])];
+  const Point& base = points[static_cast<std::size_t>(support[0])];
   const oracle::Vector from_base = smallest->centre - exact(base);
   const Point centre(oracle::nearest(from_base.x()), oracle::nearest(from_base.y()),
                      oracle::nearest(from_base.z()));
