@@ -2,19 +2,23 @@
 /// Line, ray and segment against a k-DOP: a box with more pairs of parallel faces.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 
 #include <contact/exact.hpp>
 #include <contact/exact_outward.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/passage.hpp>
+#include <contact/running_error.hpp>
 #include <contact/shapes.hpp>
 #include <contact/slabs.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace contact {
@@ -55,6 +59,43 @@ std::vector<Vector3<S>> kdop_normals(int k) {
 }
 // [/kdop]
 
+namespace detail {
+
+/// The smallest and the largest n · p of points, without rounding.
+///
+/// A product of three terms has at most five roundings, so 8 u times the sum of their magnitudes
+/// bounds its error and that of the bound. A point beyond which another one certainly is need not
+/// be computed exactly; if a product overflows, its bound is infinite, and it is.
+template <FloatOrDouble S>
+std::pair<Exact, Exact> exact_extremes(const Vector3<S>& normal,
+                                       std::span<const Vector3<S>> points) {
+  const Vector3<double> n = normal.template cast<double>();
+  const auto along = [&n](const Vector3<S>& point) {
+    const Vector3<double> terms = n.cwiseProduct(point.template cast<double>());
+    return RunningError(terms.sum(),
+                        8 * RunningError::u * terms.cwiseAbs().sum() + RunningError::floor);
+  };
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vector3<S>& point : points) {
+    const RunningError at = along(point);
+    lowest = std::min(lowest, at.value + at.bound);
+    highest = std::max(highest, at.value - at.bound);
+  }
+  std::optional<Exact> low, high;
+  for (const Vector3<S>& point : points) {
+    const RunningError at = along(point);
+    const bool may_be_low = !(at.value - at.bound > lowest);
+    const bool may_be_high = !(at.value + at.bound < highest);
+    if (!may_be_low && !may_be_high) continue;
+    const Exact exact = exact_vector(normal).dot(exact_vector(point));
+    if (may_be_low && (!low || exact < *low)) low = exact;
+    if (may_be_high && (!high || *high < exact)) high = exact;
+  }
+  return {*low, *high};
+}
+
+}  // namespace detail
+
 /// The smallest k-DOP of representable numbers that contains all points: low and high are computed
 /// exactly and rounded outward. Beyond the largest number, low stays that number and high is ∞.
 /// @param normals k/2, finite, none 0
@@ -73,14 +114,7 @@ Kdop<S> kdop_of_points(const std::vector<Vector3<S>>& normals, std::span<const V
     if (normal == Vector3<S>::Zero()) {
       throw_invalid_argument("normals", vector_text(normal), "must not be 0");
     }
-    const Vector3<Exact> n = exact_vector(normal);
-    Exact low = n.dot(exact_vector(points.front()));
-    Exact high = low;
-    for (const Vector3<S>& point : points) {
-      const Exact at = n.dot(exact_vector(point));
-      if (at < low) low = at;
-      if (high < at) high = at;
-    }
+    const auto [low, high] = detail::exact_extremes<S>(normal, points);
     dop.low.push_back(downward<S>(low));
     dop.high.push_back(upward<S>(high));
   }
