@@ -54,25 +54,10 @@ contact::CoordinateFrame<double> turned_by_an_eighth() {
 
 }  // namespace
 
-KEY("what-follows") {
-  // Spheres that meet around rods that do not, and around rods that cross.
-  CHECK(contact::may_meet(smallest(rod(0)), smallest(rod(1))));
-  const Points across{at(0, -1, 0), at(0, 1, 0)};
-  CHECK(contact::may_meet(smallest(rod(0)), smallest(across)));
-  return 2;
-}
-
 KEY("rods-side-by-side") {
   CHECK(contact::may_meet(smallest(rod(0)), smallest(rod(2))));
   CHECK_FALSE(contact::may_meet(smallest(rod(0)), smallest(rod(2 + 1e-12))));
   return 2 * smallest(rod(0)).radius;
-}
-
-KEY("compare-squares") {
-  const Sphere<double> a{at(0, 0, 0), 2}, b{at(5, 2, 1), 3};
-  CHECK((b.centre - a.centre).squaredNorm() == 30);
-  CHECK_FALSE(contact::may_meet(a, b));
-  return (a.radius + b.radius) * (a.radius + b.radius);
 }
 
 KEY("grow-once") {
@@ -110,11 +95,6 @@ KEY("why-it-ends") {
   return questions::Claim{grows(at(0, 1.5, 0)), grows(at(0, 0.5, 0))};
 }
 
-KEY("sphere-of-two") {
-  return contact::enclosing_sphere(Sphere<double>{at(0, 0, 0), 1}, Sphere<double>{at(3, 4, 0), 2})
-      .radius;
-}
-
 KEY("outside-its-own") {
   // The lecture's sphere of some points, and a point body exactly at the one that it misses.
   int missed = 0;
@@ -132,8 +112,6 @@ KEY("outside-its-own") {
   }
   return missed > 0 ? 0 : 1;
 }
-
-KEY("dot-products") { return static_cast<double>(contact::OrientedBox<double>{}.axes.cols()); }
 
 KEY("inner-vertices") {
   Points plain, divided;

@@ -38,6 +38,9 @@ void print_row(const char* name, const std::vector<SceneCounts>& scenes, const N
 }  // namespace
 
 int main() {
+  // The grown spheres of these shapes are like the smallest ones.
+  std::vector<VolumeKind> kinds(all_volume_kinds.begin(), all_volume_kinds.end());
+  std::erase(kinds, VolumeKind::grown_sphere);
   const std::vector<MeasuredShape> shapes = measured_shapes();
   std::vector<SceneCounts> scenes;
   std::printf("pairs that may meet   ");
@@ -48,14 +51,14 @@ int main() {
   scenes.push_back(scene_of(shapes));
   std::printf("%7s\n", "all");
   print_row("without a volume", scenes, [](const SceneCounts& s) { return s.pairs; });
-  for (const VolumeKind kind : all_volume_kinds) {
+  for (const VolumeKind kind : kinds) {
     print_row(name_of(kind), scenes,
               [kind](const SceneCounts& s) { return s.may_meet[static_cast<std::size_t>(kind)]; });
   }
   print_row("bodies that meet", scenes, [](const SceneCounts& s) { return s.meet; });
 
   std::printf("\nof 100 pairs whose volumes meet, the bodies of so many do not\n");
-  for (const VolumeKind kind : all_volume_kinds) {
+  for (const VolumeKind kind : kinds) {
     print_row(name_of(kind), scenes, [kind](const SceneCounts& s) {
       const int all = s.may_meet[static_cast<std::size_t>(kind)];
       return (200 * s.false_alarms(kind) + all) / (2 * all);  // rounded

@@ -157,9 +157,9 @@ export default defineFigure<Input, Output>({
       return {
         name,
         meaning: output.tested
-          ? `in ${count(output.tested)}: met ${count(says)} times, ${count(wrong)} wrong`
+          ? `in ${count(output.tested)}: met ${count(says)} times, ${count(wrong)} false alarms`
           : (MEANINGS[i] ?? ""),
-        value: `${answer(output.says[i])}${output.wrong[i] ? ", wrong" : ""}`,
+        value: `${answer(output.says[i])}${output.wrong[i] ? ": false alarm" : ""}`,
         role: output.wrong[i] ? "miss" : "hit",
       };
     }),
@@ -177,7 +177,7 @@ export default defineFigure<Input, Output>({
     const others = output.meet
       ? ""
       : wrong.length
-        ? ` These volumes may meet all the same: ${wrong.join(", ")}.`
+        ? ` False alarms: ${wrong.join(", ")}.`
         : " So are all volumes.";
     const [met = 0, bad = 0] = [output.tested_says[0], output.tested_wrong[0]];
     const often = output.tested
