@@ -84,7 +84,7 @@ template <FloatOrDouble S>
 OrientedBox<S> with_any_axes(const Matrix3<S>& axes, const Aabb<S>& bounds,
                              std::span<const Vector3<S>> points) {
   constexpr double eta = tolerance::underflow_unit<double>;
-  const Matrix3<double> a = axes.template cast<double>();
+  const Matrix3<double>& a = axes.template cast<double>();
   const Vector3<double> low = bounds.low.template cast<double>();
   const Vector3<double> high = bounds.high.template cast<double>();
   const Vector3<double> from = low / 2 + high / 2;

@@ -51,7 +51,7 @@ inline Extent extent_along(const std::vector<Point>& points, const Matrix3<doubl
       }
       if (y > extent.high[i]) {
         extent.high[i] = y;
-        extent.at[static_cast<std::size_t>(i + 3)] = static_cast<int>(n);
+        extent.at[static_cast<std::size_t>(i) + 3] = static_cast<int>(n);
       }
     }
   }
@@ -148,7 +148,8 @@ class Search {
   Candidate about(const Matrix3<double>& axes) {
     flat_.clear();
     const Point x = axes.col(0), y = axes.col(1);
-    for (const Point& p : points) flat_.push_back({x.dot(p), y.dot(p)});
+    // + 0: equal points, which a sort may put in any order, are then the same bits.
+    for (const Point& p : points) flat_.push_back({x.dot(p) + 0.0, y.dot(p) + 0.0});
     rounded_hull(flat_, hull_);
     const Flat turn = smallest_direction(hull_);
     return along(principal_axes_detail::orthonormal<double>(Point(turn.x() * x + turn.y() * y),
