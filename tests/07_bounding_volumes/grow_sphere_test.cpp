@@ -10,125 +10,20 @@
 #include <support/shrinkable.hpp>
 
 #include <07_bounding_volumes/contained.hpp>
+#include <07_bounding_volumes/spheres_with_mistakes.hpp>
 
 namespace {
 
 using namespace contact::testing;
+using namespace spheres_with_mistakes;
 using exercise::ExtremePair;
-using Point = Eigen::Vector3d;
-using Points = std::vector<Point>;
-using Sphere = contact::Sphere<double>;
 
 constexpr double kTolerance = 1e-9;
-constexpr double kParts = 8;
-constexpr double kLimit = 1000;
 
-const Point& at(const Points& points, int i) { return points[static_cast<std::size_t>(i)]; }
-
-std::int64_t eighths(double x) { return static_cast<std::int64_t>(x * kParts); }
-
-/// In units of 1/64 m².
-std::int64_t square_distance(const Point& a, const Point& b) {
-  std::int64_t sum = 0;
-  for (int k = 0; k < 3; ++k)
-    sum += (eighths(a[k]) - eighths(b[k])) * (eighths(a[k]) - eighths(b[k]));
-  return sum;
-}
-
-// ---------------------------------------------------------------- the most distant extremes
-
-ExtremePair extremes_along(int axis, const Points& points) {
-  const auto less = [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; };
-  const auto low = std::min_element(points.begin(), points.end(), less);
-  const auto high = std::max_element(points.begin(), points.end(), less);
-  return {static_cast<int>(low - points.begin()), static_cast<int>(high - points.begin())};
-}
-
-/// The same with the last one of equal points.
-ExtremePair last_extremes_along(int axis, const Points& points) {
-  const Points reversed(points.rbegin(), points.rend());
-  const ExtremePair pair = extremes_along(axis, reversed);
-  const int last = static_cast<int>(points.size()) - 1;
-  return {last - pair.low, last - pair.high};
-}
-
-/// Each point is compared with the largest coordinate only if it is not below the smallest one.
-ExtremePair extremes_by_else(int axis, const Points& points) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  ExtremePair pair{0, 0};
-  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    const double x = at(points, i)[axis];
-    if (x < low) {
-      low = x;
-      pair.low = i;
-    } else if (x > high) {
-      high = x;
-      pair.high = i;
-    }
-  }
-  return pair;
-}
-
-/// The largest coordinate is searched for from 0.
-ExtremePair extremes_from_zero(int axis, const Points& points) {
-  ExtremePair pair{extremes_along(axis, points).low, 0};
-  double high = 0;
-  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    if (at(points, i)[axis] <= high) continue;
-    high = at(points, i)[axis];
-    pair.high = i;
-  }
-  return pair;
-}
-
-double extent_along(int axis, const ExtremePair& pair, const Points& points) {
-  return at(points, pair.high)[axis] - at(points, pair.low)[axis];
-}
-std::int64_t square_distance(int /*axis*/, const ExtremePair& pair, const Points& points) {
-  return square_distance(at(points, pair.low), at(points, pair.high));
-}
-
-/// The first of the three pairs with the largest measure, or the last one.
-template <class Search, class Measure>
-ExtremePair best_pair(const Points& points, const Search& search, const Measure& measure,
-                      bool last = false) {
-  ExtremePair best = search(0, points);
-  auto largest = measure(0, best, points);
-  for (int axis = 1; axis < 3; ++axis) {
-    const ExtremePair pair = search(axis, points);
-    const auto size = measure(axis, pair, points);
-    if (size < largest || (size == largest && !last)) continue;
-    best = pair;
-    largest = size;
-  }
-  return best;
-}
-
-template <class Search>
-ExtremePair farthest_pair(const Points& points, const Search& search, bool last = false) {
-  const auto measure = [](int axis, const ExtremePair& pair, const Points& of) {
-    return square_distance(axis, pair, of);
-  };
-  return best_pair(points, search, measure, last);
-}
-
-ExtremePair most_distant_extremes(const Points& points) {
-  return farthest_pair(points, extremes_along);
-}
-
-/// Whether no two of the points are farther from each other.
-bool is_farthest_of_all(const ExtremePair& pair, const Points& points) {
-  const int count = static_cast<int>(points.size());
-  if (std::min(pair.low, pair.high) < 0 || std::max(pair.low, pair.high) >= count) return false;
-  const std::int64_t distance = square_distance(at(points, pair.low), at(points, pair.high));
-  return std::all_of(points.begin(), points.end(), [&](const Point& a) {
-    return std::all_of(points.begin(), points.end(),
-                       [&](const Point& b) { return square_distance(a, b) <= distance; });
-  });
-}
+ExtremePair in_exercise(const Pair& pair) { return {pair.low, pair.high}; }
 
 void check_extremes(const Points& points) {
-  const ExtremePair right = most_distant_extremes(points);
+  const Pair right = most_distant_extremes(points);
   const auto is_longer = [&](const ExtremePair& got) {
     return square_distance(at(points, got.low), at(points, got.high)) >
            square_distance(at(points, right.low), at(points, right.high));
@@ -136,24 +31,22 @@ void check_extremes(const Points& points) {
   ask("Which two points are the most distant extremes?")
       .given("points", points)
       .suspect("extent-for-distance",
-               [&] { return best_pair(points, extremes_along, extent_along); })
-      .suspect("extremes-of-one-axis", [&] { return extremes_along(0, points); })
-      .suspect("maximum-from-zero", [&] { return farthest_pair(points, extremes_from_zero); })
-      .suspect("low-excludes-high", [&] { return farthest_pair(points, extremes_by_else); })
-      .suspect("last-of-equal-extremes", [&] { return farthest_pair(points, last_extremes_along); })
+               [&] { return in_exercise(best_pair(points, extremes_along, extent_along)); })
+      .suspect("extremes-of-one-axis", [&] { return in_exercise(extremes_along(0, points)); })
+      .suspect("maximum-from-zero",
+               [&] { return in_exercise(farthest_pair(points, extremes_from_zero)); })
+      .suspect("low-excludes-high",
+               [&] { return in_exercise(farthest_pair(points, extremes_by_else)); })
       .suspect("last-of-equal-extremes",
-               [&] { return farthest_pair(points, extremes_along, true); })
-      .suspect_if(
-          "farthest-of-all-points",
-          [&](const ExtremePair& got) { return is_farthest_of_all(got, points) && is_longer(got); })
+               [&] { return in_exercise(farthest_pair(points, last_extremes_along)); })
+      .suspect("last-of-equal-extremes",
+               [&] { return in_exercise(farthest_pair(points, extremes_along, true)); })
+      .suspect_if("farthest-of-all-points",
+                  [&](const ExtremePair& got) {
+                    return is_farthest_of_all({got.low, got.high}, points) && is_longer(got);
+                  })
       .answer([&] { return exercise::most_distant_extremes(points); })
-      .equals(right);
-}
-
-// ---------------------------------------------------------------- the start
-
-Sphere start_sphere(const Point& low, const Point& high) {
-  return {low + (high - low) / 2, std::sqrt(double(square_distance(low, high))) / (2 * kParts)};
+      .equals(in_exercise(right));
 }
 
 void check_start(const Point& low, const Point& high) {
@@ -180,23 +73,6 @@ void check_start(const Point& low, const Point& high) {
                })
       .answer([&] { return exercise::start_sphere(low, high); })
       .close_to(right, within(kTolerance));
-}
-
-// ---------------------------------------------------------------- one step
-
-/// A sphere of this radius that touches the point and whose centre is towards the old one.
-Sphere touching(const Point& point, double radius, const Sphere& sphere) {
-  const Point from_point = sphere.centre - point;
-  return {point + from_point * (radius / from_point.norm()), radius};
-}
-double mean_radius(const Sphere& sphere, const Point& point) {
-  return (sphere.radius + (sphere.centre - point).norm()) / 2;
-}
-Sphere grown(const Sphere& sphere, const Point& point) {
-  return touching(point, mean_radius(sphere, point), sphere);
-}
-Sphere grown_by(const Sphere& sphere, const Point& point) {
-  return (point - sphere.centre).norm() > sphere.radius ? grown(sphere, point) : sphere;
 }
 
 void check_grown(const Sphere& sphere, const Point& point) {
@@ -230,47 +106,6 @@ void check_grown(const Sphere& sphere, const Point& point) {
           [](const Sphere& got) { return !got.centre.allFinite() || !std::isfinite(got.radius); })
       .answer([&] { return exercise::grown_by(sphere, point); })
       .close_to(right, within(kTolerance));
-}
-
-// ---------------------------------------------------------------- the whole sphere
-
-Sphere start_of(const Points& points) {
-  const ExtremePair pair = most_distant_extremes(points);
-  return start_sphere(at(points, pair.low), at(points, pair.high));
-}
-
-Sphere grow_sphere(const Points& points) {
-  Sphere sphere = start_of(points);
-  for (const Point& p : points) sphere = grown_by(sphere, p);
-  return sphere;
-}
-
-/// Grows once, by the point that is farthest from the centre of the start sphere.
-Sphere grown_once(const Points& points) {
-  const Sphere start = start_of(points);
-  const auto nearer = [&](const Point& a, const Point& b) {
-    return (a - start.centre).squaredNorm() < (b - start.centre).squaredNorm();
-  };
-  return grown_by(start, *std::max_element(points.begin(), points.end(), nearer));
-}
-
-Sphere around(const Point& centre, const Points& points) {
-  double radius = 0;
-  for (const Point& p : points) radius = std::max(radius, (p - centre).norm());
-  return {centre, radius};
-}
-Sphere around_mean(const Points& points) {
-  Point sum = Point::Zero();
-  for (const Point& p : points) sum += p;
-  return around(sum / double(points.size()), points);
-}
-Sphere around_box_centre(const Points& points) {
-  Point low = points[0], high = points[0];
-  for (const Point& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return around((low + high) / 2, points);
 }
 
 bool is_close(const Sphere& a, const Sphere& b) {
