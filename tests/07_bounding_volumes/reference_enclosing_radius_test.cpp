@@ -321,4 +321,10 @@ TEST_CASE("no sign of a double-double is certain after an overflow") {
 }
 
 }  // namespace
+TEST_CASE("the radius around spheres is the smallest number also for subnormal numbers") {
+  const double eta = std::numeric_limits<double>::denorm_min();
+  const std::vector<Sphere<double>> one{{{3 * eta, 0, 0}, 3 * eta}};
+  CHECK(contact::enclosing_radius<double>({0, 0, 0}, one) == 6 * eta);
+}
+
 }  // namespace enclosing_radius_test

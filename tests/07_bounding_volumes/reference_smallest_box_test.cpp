@@ -280,4 +280,17 @@ TEST_CASE("smallest_box() names the argument that it does not take") {
   CHECK(contains(refusal([&] { smallest_of(broken); }), "points = (1, nan, 3)"));
 }
 
+TEST_CASE("a small box contains points that rounding keeps from a line") {
+  for (int i = 1; i < 10; ++i) {
+    for (int j = 1; j < 10; ++j) {
+      for (int k = 2; k < 10; ++k) {
+        const Vector3<double> v(0.1 * i, 0.1 * j, 0.3);
+        const std::vector<Vector3<double>> points{Vector3<double>(0, 0, 0), v,
+                                                  Vector3<double>(k * v)};
+        REQUIRE(box_truth::all_inside(smallest_of(points), points));
+      }
+    }
+  }
+}
+
 }  // namespace smallest_box_tests

@@ -69,9 +69,9 @@ namespace detail {
 template <FloatOrDouble S>
 std::pair<Exact, Exact> exact_extremes(const Vector3<S>& normal,
                                        std::span<const Vector3<S>> points) {
-  const Vector3<double> n = normal.template cast<double>();
-  const auto along = [&n](const Vector3<S>& point) {
-    const Vector3<double> terms = n.cwiseProduct(point.template cast<double>());
+  const auto along = [&normal](const Vector3<S>& point) {
+    const Vector3<double> terms =
+        normal.template cast<double>().cwiseProduct(point.template cast<double>());
     return RunningError(terms.sum(),
                         8 * RunningError::u * terms.cwiseAbs().sum() + RunningError::floor);
   };

@@ -141,9 +141,9 @@ OrientedBox<S> with_any_axes(const Matrix3<S>& axes, const Aabb<S>& bounds,
 /// extended by a bound on its rounding and rounded up.
 ///
 /// Beyond the extent along an axis, a half length is at most 500 u of the largest distance from the
-/// centre. Along the axes of the world it is the smallest that contains all points with the centre
-/// as stored. So it is 0 for a set that is flat there, and for points that are all equal, with any
-/// axes; otherwise a flat set gets a half length of some u of its size.
+/// centre. Along the axes of the world, of length exactly 1, it is the smallest that contains all
+/// points with the centre as stored. So it is 0 for a set that is flat there, and for points that
+/// are all equal, with any axes; otherwise a flat set gets a half length of some u of its size.
 /// @param axes a rotation: columns orthonormal to within 64 u, right-handed
 /// @param points n ≥ 1 points, m, finite
 /// @throws std::invalid_argument if an argument does not satisfy this, or the box overflows

@@ -17,7 +17,7 @@
 #include <contact/principal_axes.hpp>
 #include <contact/vector.hpp>
 
-namespace contact::box_search {
+namespace contact::box_search_detail {
 
 using Point = Vector3<double>;
 using Flat = Vector2<double>;
@@ -219,4 +219,4 @@ class Search {
   std::vector<Flat> flat_, hull_;
 };
 
-}  // namespace contact::box_search
+}  // namespace contact::box_search_detail

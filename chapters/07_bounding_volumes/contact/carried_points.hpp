@@ -64,7 +64,7 @@ Extent extent_of(const Vector3<S>& normal, std::span<const Vector3<S>> points,
 ///
 /// It contains the exact image o + A p of each point, for the frame as stored, whether or not its
 /// axes are a rotation; and so the image of their hull. A slab is wider than the smallest one by at
-/// most about 32 u Σ|normal| (|A||p| + |o|). Scales: any without overflow; subnormal numbers too.
+/// most about 46 u Σ|normal| (|A||p| + |o|). Scales: any without overflow; subnormal numbers too.
 /// @param points n ≥ 1, m, finite; those of the hull's vertices suffice
 /// @throws std::invalid_argument if there is no point or normal, a normal is 0, a number is not
 /// finite, or the k-DOP overflows

@@ -244,8 +244,8 @@ std::array<S, 2> carried_range(const Aabb<S>& box, const CoordinateFrame<S>& fra
 /// An axis-aligned box that contains the image of another: for each coordinate the sum of the
 /// smaller of axis × low and axis × high, and of the larger ones, rounded outwards.
 ///
-/// If the object turns, this box is larger than that of the object's points: a cube's by up to √3
-/// in each direction.
+/// It may be larger than the box of the object's points, and is up to √3 times as wide in a
+/// direction as that of a cube before it turned.
 /// @param box m, in the frame
 /// @param frame taken as stored, also if its axes are no rotation
 /// @throws std::invalid_argument if the box has low > high, or a number is not finite

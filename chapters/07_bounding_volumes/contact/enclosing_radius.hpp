@@ -13,6 +13,7 @@
 #include <contact/invalid_argument.hpp>
 #include <contact/running_error.hpp>
 #include <contact/shapes.hpp>
+#include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
 #include <limits>
@@ -213,7 +214,8 @@ S enclosing_radius(const Vector3<S>& centre, std::span<const Sphere<S>> spheres)
     const Vector3<double> d = scaled(sphere.centre);
     // Rounded, and certain not to be too large: half of both, so that nothing overflows.
     constexpr double less = 1 - 16 * RunningError::u;
-    const double half = (std::sqrt(d.dot(d)) / 2 / s + r / 2) * less;
+    constexpr double room = 2 * tolerance::underflow_unit<double>;  // for halves of subnormals
+    const double half = std::max(0.0, (std::sqrt(d.dot(d)) / 2 / s + r / 2) * less - room);
     radius = std::max(radius, sphere_detail::divided_down<S>(half, 0.5));
     while (sphere_detail::sticks_out(centre, radius, sphere)) {
       radius = std::nextafter(radius, std::numeric_limits<S>::infinity());

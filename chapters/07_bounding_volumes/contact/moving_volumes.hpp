@@ -109,9 +109,11 @@ Aabb<S> aabb_in_any_orientation(const Vector3<S>& centre, S bounding_radius) {
 /// cos θ/2 is |a · b| / |a||b|. 1 − cos θ/2 would be off by u; sin² θ/2 / (1 + cos θ/2) is the same
 /// and off by a few u sin θ/2, with sin² θ/2 from the six products aᵢ bⱼ − aⱼ bᵢ. The error bound
 /// of each operation is added. No sine or cosine is called.
-/// @param from, to of any length but 0; q and −q are one orientation
+/// @param from, to of a length from 1e-70 to 1e70 (of floats any but 0); q and −q are one
+/// orientation
 /// @param bounding_radius r, m, not negative
-/// @throws std::invalid_argument if a quaternion is 0, the radius negative, or a number not finite
+/// @throws std::invalid_argument if a quaternion is 0 or beyond that range, the radius negative, or
+/// a number not finite
 template <FloatOrDouble S>
 S sagitta(const Quaternion<S>& from, const Quaternion<S>& to, S bounding_radius) {
   require_finite("bounding_radius", bounding_radius);
@@ -207,7 +209,8 @@ Aabb<S> aabb_of_motion(const Aabb<S>& start, const Aabb<S>& end, S margin) {
 /// frame to another, the shorter way around.
 ///
 /// At both ends the body's rotation is one that the stored axes stand for: within 16 u of the
-/// closest rotation.
+/// closest rotation. If both axes are equal, nothing turns, and what the box contains is the image
+/// under the stored axes.
 /// @param body m, in the body's frame
 /// @param from, to with nearly orthonormal axes
 /// @throws std::invalid_argument if an argument does not satisfy this, or a number overflows

@@ -20,13 +20,13 @@ namespace contact {
 namespace detail {
 
 /// All x with normal · x ≤ offset.
-struct HalfSpace {
+struct UnitHalfSpace {
   Vector3<double> normal;  ///< of length 1
   double offset;           ///< m
 };
 
 /// A vector divided by its length, and the length; for entries of any size.
-inline std::optional<HalfSpace> half_space(const Vector3<double>& normal, double offset) {
+inline std::optional<UnitHalfSpace> unit_half_space(const Vector3<double>& normal, double offset) {
   const double largest = normal.cwiseAbs().maxCoeff();
   if (!(largest > 0) || !std::isfinite(largest) || !std::isfinite(offset)) return std::nullopt;
   int power = 0;
@@ -34,7 +34,7 @@ inline std::optional<HalfSpace> half_space(const Vector3<double>& normal, double
   Vector3<double> n;
   for (int k = 0; k < 3; ++k) n[k] = std::ldexp(normal[k], -power);
   const double length = std::sqrt(n.dot(n));
-  return HalfSpace{n / length, std::ldexp(offset / length, -power)};
+  return UnitHalfSpace{n / length, std::ldexp(offset / length, -power)};
 }
 
 /// Whether b excludes no point that a keeps: parallel normals of one direction, compared exactly.
@@ -57,7 +57,7 @@ inline bool is_implied(const Vector3<double>& a, double at_a, const Vector3<doub
 /// The half-spaces of a k-DOP, without those that a parallel one implies; of equal ones the first
 /// stays. Infinite bounds give none.
 template <FloatOrDouble S>
-std::vector<HalfSpace> half_spaces_of(const Kdop<S>& dop) {
+std::vector<UnitHalfSpace> half_spaces_of(const Kdop<S>& dop) {
   struct Side {
     Vector3<double> normal;
     double offset;
@@ -72,7 +72,7 @@ std::vector<HalfSpace> half_spaces_of(const Kdop<S>& dop) {
       }
     }
   }
-  std::vector<HalfSpace> kept;
+  std::vector<UnitHalfSpace> kept;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     bool implied = false;
     for (std::size_t j = 0; j < sides.size() && !implied; ++j) {
@@ -84,7 +84,7 @@ std::vector<HalfSpace> half_spaces_of(const Kdop<S>& dop) {
       implied = by_j && (!equal || j < i);
     }
     if (implied) continue;
-    if (const auto made = half_space(sides[i].normal, sides[i].offset)) kept.push_back(*made);
+    if (const auto made = unit_half_space(sides[i].normal, sides[i].offset)) kept.push_back(*made);
   }
   return kept;
 }
@@ -96,11 +96,11 @@ std::vector<HalfSpace> half_spaces_of(const Kdop<S>& dop) {
 /// length at most the sum of the three |offsets|.
 template <FloatOrDouble S>
 double bound_on_length(const Kdop<S>& dop) {
-  std::vector<HalfSpace> slabs;  // with the larger |offset|
+  std::vector<UnitHalfSpace> slabs;  // with the larger |offset|
   for (std::size_t k = 0; k < dop.normals.size(); ++k) {
     const double low = static_cast<double>(dop.low[k]), high = static_cast<double>(dop.high[k]);
-    const auto made =
-        half_space(dop.normals[k].template cast<double>(), std::max(std::abs(low), std::abs(high)));
+    const auto made = unit_half_space(dop.normals[k].template cast<double>(),
+                                      std::max(std::abs(low), std::abs(high)));
     if (made) slabs.push_back(*made);
   }
   double bound = std::numeric_limits<double>::infinity();
@@ -119,7 +119,7 @@ double bound_on_length(const Kdop<S>& dop) {
 
 /// The part of a polygon in a half-space.
 inline std::vector<Vector3<double>> clipped(const std::vector<Vector3<double>>& polygon,
-                                            const HalfSpace& side) {
+                                            const UnitHalfSpace& side) {
   std::vector<Vector3<double>> kept;
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -136,7 +136,7 @@ inline std::vector<Vector3<double>> clipped(const std::vector<Vector3<double>>& 
 
 /// A square of the facet's plane that contains every point of the plane at most `reach` from the
 /// origin, counter-clockwise from outside.
-inline std::vector<Vector3<double>> square_on(const HalfSpace& side, double reach) {
+inline std::vector<Vector3<double>> square_on(const UnitHalfSpace& side, double reach) {
   const CoordinateFrame<double> frame =
       frame_on_normal<double>(Vector3<double>::Zero(), side.normal);
   const Vector3<double> middle = side.normal * side.offset;
@@ -182,7 +182,7 @@ std::vector<std::vector<Vector3<double>>> kdop_facets(const Kdop<S>& dop) {
   const double reach = detail::bound_on_length(dop);
   std::vector<std::vector<Vector3<double>>> facets;
   if (!std::isfinite(reach)) return facets;
-  const std::vector<detail::HalfSpace> sides = detail::half_spaces_of(dop);
+  const std::vector<detail::UnitHalfSpace> sides = detail::half_spaces_of(dop);
   for (std::size_t i = 0; i < sides.size(); ++i) {
     std::vector<Vector3<double>> facet = detail::square_on(sides[i], 2 * reach);
     for (std::size_t j = 0; j < sides.size() && !facet.empty(); ++j) {
@@ -255,7 +255,7 @@ std::vector<Vector2<double>> plane_dop_vertices(const Kdop<S>& dop) {
   if (!(size > 0) || !std::isfinite(detail::bound_on_length(body))) return vertices;
   std::vector<Vector3<double>> top =
       detail::square_on({Vector3<double>::UnitZ(), 0}, 2 * detail::bound_on_length(body));
-  for (const detail::HalfSpace& side : detail::half_spaces_of(body)) {
+  for (const detail::UnitHalfSpace& side : detail::half_spaces_of(body)) {
     if (side.normal.z() == 0) top = detail::clipped(top, side);
   }
   top = detail::cleaned(top, 0x1p-44 * detail::bound_on_length(body));

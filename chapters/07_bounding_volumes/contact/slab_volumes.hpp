@@ -43,8 +43,10 @@ namespace detail {
 /// ones. An infinite bound excludes nothing, or all.
 template <FloatOrDouble S>
 bool between(const Vector3<S>& normal, S low, S high, const Vector3<S>& point) {
-  const Vector3<double> n = normal.template cast<double>();
-  const Vector3<double> x = point.template cast<double>();
+  const auto in_double = [](const Vector3<S>& v) -> Vector3<double> {
+    return v.template cast<double>();
+  };
+  const auto n = in_double(normal), x = in_double(point);
   const RunningError rough = dot(triple<RunningError>(n), triple<RunningError>(x));
   if (rough.value - rough.bound > low && rough.value + rough.bound < high) return true;
   const Exact at = dot(triple<Exact>(n), triple<Exact>(x));

@@ -25,9 +25,9 @@ namespace contact {
 
 namespace smallest_box_detail {
 
-using box_search::Candidate;
-using box_search::Point;
-using box_search::Search;
+using box_search_detail::Candidate;
+using box_search_detail::Point;
+using box_search_detail::Search;
 
 /// Hulls with at most this many vertices are searched as they are; of larger ones, vertices that
 /// are extreme in some directions.
@@ -84,6 +84,16 @@ inline Point area_vector(std::span<const int> face, const std::vector<Point>& po
     sum += Point(at(i - 1) - at(0)).cross(Point(at(i) - at(0)));
   }
   return sum;
+}
+
+/// From the first of at least two different points to the one farthest from it.
+inline Point from_farthest(const std::vector<Point>& points) {
+  Point longest = Point::Zero();
+  for (const Point& p : points) {
+    const Point d = p - points.front();
+    if (d.dot(d) > longest.dot(longest)) longest = d;
+  }
+  return longest;
 }
 
 /// The normals of the largest faces.
@@ -147,7 +157,7 @@ inline std::vector<Candidate> different(const std::vector<Candidate>& sorted, st
   for (const Candidate& candidate : sorted) {
     if (chosen.size() == count) break;
     const bool known = std::any_of(chosen.begin(), chosen.end(), [&](const Candidate& other) {
-      return box_search::about_equal(candidate.axes, other.axes);
+      return box_search_detail::about_equal(candidate.axes, other.axes);
     });
     if (!known) chosen.push_back(candidate);
   }
@@ -165,7 +175,7 @@ inline Candidate improved_on_all(Search& search, Candidate candidate,
                                  const std::vector<Point>& points) {
   Candidate best;
   for (int round = 0; round < 10; ++round) {
-    const auto extent = box_search::extent_along(points, candidate.axes);
+    const auto extent = box_search_detail::extent_along(points, candidate.axes);
     best = smaller(best, {candidate.axes, extent.volume()});
     if (extent.volume() <= candidate.volume * (1 + 1e-9)) break;
     for (const int i : extent.at) search.points.push_back(points[static_cast<std::size_t>(i)]);
@@ -182,7 +192,11 @@ inline Matrix3<double> small_axes(const Hull& hull, const std::vector<Point>& po
   Search search;
   search.points = vertices.size() > all_vertices ? extreme_points(vertices) : vertices;
   if (hull.dimension == 1) return search.about(Point(vertices[1] - vertices[0])).axes;
-  if (hull.dimension == 2) return search.about(area_vector(hull.face(0), points)).axes;
+  if (hull.dimension == 2) {
+    // Of points that are nearly on a line the area is rounding; they are boxed along the line.
+    const Point area = area_vector(hull.face(0), points);
+    return search.about(area.dot(area) > 1e-12 ? area : from_farthest(vertices)).axes;
+  }
   Candidate best;
   const std::size_t count = vertices.size() <= small ? most_starts_of_small : most_starts;
   for (const Candidate& start : different(starts(search, hull, points), count)) {
@@ -232,10 +246,10 @@ OrientedBox<S> least_of(std::span<const Matrix3<S>> candidates, std::span<const 
 /// An oriented box that contains all points and has a small volume, often the smallest.
 ///
 /// Proven: it contains all points, because it contains the vertices of their hull
-/// (box_with_axes()), which is exact, and it is convex. It is not larger than the axis-aligned box
-/// and the principal box of these vertices, because both are compared with what the search finds
-/// (up to the rounding of three products). For points in a plane, boxes that are flat there are
-/// compared by area, and for points on a line those along it by length.
+/// (box_with_axes()), which is exact, and it is convex. It is not larger than box_with_axes() along
+/// the axes of the world and than the principal box of these vertices, because both are compared
+/// with what the search finds (up to the rounding of three products). For points in a plane, boxes
+/// that are flat there are compared by area, and for points on a line those along it by length.
 ///
 /// Not proven: that no box is smaller. The smallest box of a hull has two adjacent faces that each
 /// contain an edge (O'Rourke), which gives an algorithm of O(n³). Instead, candidates are improved.

@@ -160,9 +160,10 @@ inline Point direction(const Point& a, const Point& b) {
 /// A rectangle with the given axis that contains all points as it is stored, by the argument of
 /// box_with_axes(); since its axes are exactly perpendicular, only their length matters.
 ///
-/// Along the axes of the world a half length is the smallest for the centre as stored, otherwise at
-/// most 100 u of the largest distance from the centre larger than it must be.
-/// @param axis of length 1 to within 16 u
+/// Along the axes of the world, of length exactly 1, a half length is the smallest for the centre
+/// as stored, otherwise at most 100 u of the largest distance from the centre larger than it must
+/// be.
+/// @param axis of length 1 to within 10 u
 /// @param points n ≥ 1 points, m, finite
 /// @throws std::invalid_argument if an argument does not satisfy this, or the rectangle overflows
 template <FloatOrDouble S>

@@ -193,7 +193,7 @@ inline BoundingVolume::Shape shape_of(VolumeKind kind, std::span<const Vector3<d
 /// The bounding volume of a kind around points in the object's frame: it contains every point.
 /// @param points n ≥ 1 points, m, finite
 /// @throws std::invalid_argument if there is no point, or an entry is not finite, or the volume
-/// overflows
+/// overflows; a k-DOP does not, its bounds become infinite
 inline BoundingVolume bounding_volume(VolumeKind kind, std::span<const Vector3<double>> points) {
   if (points.empty()) throw_invalid_argument("points", "{}", "a volume needs at least one point");
   for (const Vector3<double>& point : points) require_finite("points", point);

@@ -85,9 +85,9 @@ struct BoxTerms {
 
 /// |table[i][j]| = |normals of a face i · axis j of b|: the determinants of two axes of one box and
 /// one of the other, which are all that the fifteen axes need.
-using Table = std::array<std::array<double, 3>, 3>;
-inline Table determinants(const BoxTerms& of_faces, const BoxTerms& of_axes) {
-  Table table{};
+using Determinants = std::array<std::array<double, 3>, 3>;
+inline Determinants determinants(const BoxTerms& of_faces, const BoxTerms& of_axes) {
+  Determinants table{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       table[i][j] = std::abs(of_faces.normals[i].dot(of_axes.axes[j]));
@@ -99,7 +99,7 @@ inline Table determinants(const BoxTerms& of_faces, const BoxTerms& of_axes) {
 // [box-faces]
 /// Whether a plane parallel to a face of a separates it from b, `margin` being the error of both
 /// sides. d: from the centre of b to that of a.
-inline bool face_separates(const BoxTerms& a, const BoxTerms& b, const Table& table,
+inline bool face_separates(const BoxTerms& a, const BoxTerms& b, const Determinants& table,
                            const Vector3<double>& d, double margin) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double radius_of_b =
@@ -114,8 +114,8 @@ inline bool face_separates(const BoxTerms& a, const BoxTerms& b, const Table& ta
 // [box-edges]
 /// Whether a plane parallel to an edge of each separates a from b. For n = aᵢ × bⱼ, n · aₖ is, but
 /// for its sign, a determinant of two axes of a and one of b: an entry of a's table.
-inline bool edge_pair_separates(const BoxTerms& a, const BoxTerms& b, const Table& of_a,
-                                const Table& of_b, const Vector3<double>& d, double margin) {
+inline bool edge_pair_separates(const BoxTerms& a, const BoxTerms& b, const Determinants& of_a,
+                                const Determinants& of_b, const Vector3<double>& d, double margin) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     const Vector3<double> turned = d.cross(a.axes[i]);
@@ -165,9 +165,9 @@ bool may_meet(const OrientedBox<S>& a, const OrientedBox<S>& b) {
   const double margin = detail::boxes_margin(p, q, d);
   const bool in_range = std::isfinite(margin + d.sum() + p.volume + q.volume);
   if (!in_range) return detail::is_finite_box(a) && detail::is_finite_box(b);
-  const detail::Table of_p = detail::determinants(p, q);
+  const detail::Determinants of_p = detail::determinants(p, q);
   if (detail::face_separates(p, q, of_p, d, margin)) return false;
-  const detail::Table of_q = detail::determinants(q, p);
+  const detail::Determinants of_q = detail::determinants(q, p);
   return !detail::face_separates(q, p, of_q, d, margin) &&
          !detail::edge_pair_separates(p, q, of_p, of_q, d, margin);
 }
