@@ -53,6 +53,7 @@ enum class VolumeKind {
   dop_26,           ///< slabs along all of these
   hull              ///< the convex hull
 };
+/// All kinds, in the order of VolumeKind.
 inline constexpr std::array<VolumeKind, 10> all_volume_kinds{
     VolumeKind::grown_sphere, VolumeKind::smallest_sphere, VolumeKind::aabb,
     VolumeKind::object_box,   VolumeKind::principal_box,   VolumeKind::smallest_box,
@@ -135,6 +136,7 @@ inline bool solids_meet(const MeshTree<double>& a, const MeshTree<double>& b) {
 /// A bounding volume of any kind, in the object's frame or carried into the world. In double, as
 /// hulls are.
 struct BoundingVolume {
+  /// What a volume is stored as.
   using Shape = std::variant<Sphere<double>, Aabb<double>, OrientedBox<double>, Kdop<double>,
                              MeshTree<double>>;
   VolumeKind kind = VolumeKind::grown_sphere;  ///< says which alternative `shape` holds
