@@ -215,7 +215,7 @@ TEST_CASE("random points agree with integers") {
   };
   for (int asked = 0; asked < 300; ++asked) {
     const int size = std::array{2, 7, 800}[static_cast<std::size_t>(asked % 3)];
-    const auto point = [&] {
+    const auto point = [&]() -> Point {
       const double x = random.integer(-size, size);
       return Point(x, random.integer(-size, size)) / kParts;
     };
