@@ -282,6 +282,7 @@ ladder::Ladder<Asked, Answer> experiment() {
   slabs("dop-26", "26-DOP", 26);
   method(conservative("hull", "the hull"), [](const auto& body) { return hull_of(body.vertices); });
   ladder.show(shapes::shown(of_hull));
+  ladder.recommend("dop-26");
   return ladder;
 }
 
@@ -383,6 +384,7 @@ ladder::Ladder<Asked, Answer> experiment() {
   method(rounded("carried-hull", "the hull, vertices rounded", "double"),
          [](const Made& of, const auto& frame) { return contact::transformed(of.hull, frame); });
   ladder.show(shapes::shown(made_anew));
+  ladder.recommend("carried-box");
   return ladder;
 }
 
@@ -477,6 +479,7 @@ ladder::Ladder<Asked, Answer> experiment() {
     });
   }
   ladder.show(shown);
+  ladder.recommend("meet-kind-8");
   return ladder;
 }
 
