@@ -4,6 +4,7 @@
 
 #include <07_bounding_volumes/box_truth.hpp>
 #include <07_bounding_volumes/hard_common.hpp>
+#include <07_bounding_volumes/volume_families.hpp>
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -43,10 +44,7 @@ Matrix3<S> matrix_of(const Case& c, const std::string& field) {
   }
   return m;
 }
-template <std::floating_point S>
-std::span<const Vector3<S>> span_of(const Points<S>& points) {
-  return points;
-}
+using volume_families::span_of;
 
 // ---------------------------------------------------------------- a box around points
 

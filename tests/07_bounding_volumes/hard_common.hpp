@@ -3,6 +3,7 @@
 /// sphere around points, with the methods of the reports.
 #pragma once
 
+#include <07_bounding_volumes/volume_families.hpp>
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -48,10 +49,7 @@ template <std::floating_point S>
 bool applies(const Case& c) {
   return std::same_as<S, double> || c.type() == "float";
 }
-template <std::floating_point S>
-std::span<const Vector3<S>> span_of(const Points<S>& points) {
-  return points;
-}
+using volume_families::span_of;
 
 // ---------------------------------------------------------------- a box of points as often written
 

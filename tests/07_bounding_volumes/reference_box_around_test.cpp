@@ -31,10 +31,7 @@ using generators::Random;
 using oracle::Rational;
 using support::refusal;
 
-template <std::floating_point S>
-std::span<const Vector3<S>> span_of(const Points<S>& points) {
-  return points;
-}
+using volume_families::span_of;
 
 /// A rotation, rounded to S: anything, near the axes of the world, or about one of them.
 template <std::floating_point S>

@@ -28,10 +28,7 @@ using generators::Random;
 using oracle::Rational;
 using sphere_truth::distance_squared;
 
-template <class S>
-std::span<const Vector3<S>> span_of(const std::vector<Vector3<S>>& points) {
-  return points;
-}
+using volume_families::span_of;
 /// Bit patterns of every magnitude.
 template <class S>
 Vector3<S> any_point(Random& random) {

@@ -24,17 +24,7 @@ using volume_families::Family;
 template <class S>
 using Points = std::vector<Vector3<S>>;
 
-template <class S>
-std::span<const Vector3<S>> span_of(const Points<S>& points) {
-  return points;
-}
-template <class S>
-Points<S> drawn(Random& random, int i, int most = 20) {
-  const auto family =
-      volume_families::all[static_cast<std::size_t>(i) % volume_families::all.size()];
-  const int count = random.integer(1, most);
-  return volume_families::points<S>(random, family, count);
-}
+using volume_families::span_of;
 /// Whether a sphere contains all points, in fractions.
 template <class S>
 bool encloses(const Sphere<S>& sphere, const Points<S>& points) {
@@ -55,7 +45,7 @@ TEMPLATE_TEST_CASE("the lecture's pair is extreme along its axis and no other on
   using S = TestType;
   Random random(1);
   for (int i = 0; i < generators::tried(5000); ++i) {
-    const Points<S> points = drawn<S>(random, i);
+    const Points<S> points = volume_families::drawn<S>(random, i);
     const auto pair = contact::most_distant_extremes(span_of(points));
     const auto at = [&points](std::size_t k) { return oracle::exact(points[k]); };
     const auto low = static_cast<std::size_t>(pair.low), high = static_cast<std::size_t>(pair.high);
@@ -94,7 +84,7 @@ TEMPLATE_TEST_CASE("spheres with an enclosing radius contain every point, closel
   using S = TestType;
   Random random(2);
   for (int i = 0; i < generators::tried(3000); ++i) {
-    const Points<S> points = drawn<S>(random, i);
+    const Points<S> points = volume_families::drawn<S>(random, i);
     INFO("case " << i);
     REQUIRE(encloses_closely(contact::grown_sphere(span_of(points)), points));
     REQUIRE(encloses_closely(contact::centroid_sphere(span_of(points)), points));
@@ -154,7 +144,7 @@ TEST_CASE("the lecture's sphere is about its centre, and depends on the order of
 TEST_CASE("a power of two scales the grown sphere and changes nothing else") {
   Random random(6);
   for (int i = 0; i < generators::tried(1000); ++i) {
-    const Points<double> points = drawn<double>(random, i);
+    const Points<double> points = volume_families::drawn<double>(random, i);
     const auto sphere = contact::grown_sphere(span_of(points));
     for (const double by : {0x1p900, 0x1p-900}) {
       const auto scaled = contact::grown_sphere(span_of(volume_families::scaled(points, by)));
@@ -168,7 +158,7 @@ TEST_CASE("a power of two scales the grown sphere and changes nothing else") {
 TEST_CASE("the centroid's sphere has at most twice the smallest radius and the box's 1.74 times") {
   Random random(7);
   for (int i = 0; i < generators::tried(500); ++i) {
-    const Points<double> points = drawn<double>(random, i, 7);
+    const Points<double> points = volume_families::drawn<double>(random, i, 7);
     const auto smallest = sphere_truth::smallest(sphere_truth::exact(points)).radius_squared;
     const auto ratio_squared = [&smallest](const Sphere<double>& sphere) {
       const Rational r = oracle::exact(sphere.radius);

@@ -29,10 +29,7 @@ using contact::Vector3;
 using generators::Random;
 using Point = Vector3<double>;
 
-template <std::floating_point S>
-std::span<const Vector3<S>> span_of(const Points<S>& points) {
-  return points;
-}
+using volume_families::span_of;
 /// The largest angle, as a sine, between an axis and the nearest one of another frame.
 double turned_away(const Matrix3<double>& axes, const Matrix3<double>& from) {
   double worst = 0;

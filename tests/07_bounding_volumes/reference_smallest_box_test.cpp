@@ -30,10 +30,7 @@ using contact::Vector3;
 using generators::Random;
 using Point = Vector3<double>;
 
-template <std::floating_point S>
-std::span<const Vector3<S>> span_of(const Points<S>& points) {
-  return points;
-}
+using volume_families::span_of;
 OrientedBox<double> smallest_of(const Points<double>& points) {
   return smallest_box<double>(span_of<double>(points));
 }

@@ -28,17 +28,7 @@ using volume_families::Family;
 template <class S>
 using Points = std::vector<Vector3<S>>;
 
-template <class S>
-std::span<const Vector3<S>> span_of(const Points<S>& points) {
-  return points;
-}
-template <class S>
-Points<S> drawn(Random& random, int i, int most) {
-  const auto family =
-      volume_families::all[static_cast<std::size_t>(i) % volume_families::all.size()];
-  const int count = random.integer(1, most);
-  return volume_families::points<S>(random, family, count);
-}
+using volume_families::span_of;
 /// Coordinates moved by an ulp or so: decisions become close, and ties break.
 template <class S>
 void nudge(Random& random, Points<S>& points) {
@@ -78,7 +68,7 @@ TEMPLATE_TEST_CASE("the smallest sphere of every family meets the conditions of 
   Random random(1);
   std::array<int, 5> supports{};
   for (int i = 0; i < generators::tried(6000); ++i) {
-    Points<S> points = drawn<S>(random, i, 12);
+    Points<S> points = volume_families::drawn<S>(random, i, 12);
     if (i % 3 == 0) nudge(random, points);
     const auto found = smallest_sphere(span_of(points));
     INFO("case " << i);
@@ -94,7 +84,7 @@ TEMPLATE_TEST_CASE("the smallest sphere of every family meets the conditions of 
 TEST_CASE("the smallest sphere of few points is the smallest of those through some of them") {
   Random random(2);
   for (int i = 0; i < generators::tried(1000); ++i) {
-    Points<double> points = drawn<double>(random, i, 7);
+    Points<double> points = volume_families::drawn<double>(random, i, 7);
     if (i % 2 == 0) nudge(random, points);
     INFO("case " << i);
     REQUIRE(smallest_sphere(span_of(points)).radius_squared ==
@@ -161,7 +151,7 @@ TEMPLATE_TEST_CASE("differences of points are within their bounds", "", float, d
   using S = TestType;
   Random random(13);
   for (int i = 0; i < generators::tried(2000); ++i) {
-    Points<S> points = drawn<S>(random, i, 4);
+    Points<S> points = volume_families::drawn<S>(random, i, 4);
     if (i % 3 == 0) {
       constexpr int most = std::numeric_limits<S>::max_exponent - 45;
       points = volume_families::scaled<S>(points, std::ldexp(S(1), random.integer(-most, most)));
@@ -219,7 +209,7 @@ TEMPLATE_TEST_CASE("the smallest sphere does not depend on the order of the poin
   using S = TestType;
   Random random(4);
   for (int i = 0; i < generators::tried(2000); ++i) {
-    Points<S> points = drawn<S>(random, i, 30);
+    Points<S> points = volume_families::drawn<S>(random, i, 30);
     const auto found = smallest_sphere(span_of(points));
     for (std::size_t k = points.size() - 1; k > 0; --k) {
       const int other = random.integer(0, static_cast<int>(k));

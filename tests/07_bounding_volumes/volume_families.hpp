@@ -18,6 +18,7 @@
 #include <contact/mesh_shapes.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <support/generators.hpp>
 #include <utility>
@@ -198,6 +199,19 @@ Points<S> points(Random& random, Family family, int count) {
 template <std::floating_point S>
 Points<S> scaled(Points<S> points, S by) {
   for (auto& p : points) p *= by;
+  return points;
+}
+
+/// A set of the family whose turn it is in a test's case i: from 1 to `most` points.
+template <class S>
+Points<S> drawn(Random& random, int i, int most = 20) {
+  const auto family = all[static_cast<std::size_t>(i) % all.size()];
+  const int count = random.integer(1, most);
+  return points<S>(random, family, count);
+}
+/// Points as the functions take them, so that their type is deduced.
+template <class S>
+std::span<const contact::Vector3<S>> span_of(const Points<S>& points) {
   return points;
 }
 

@@ -61,6 +61,20 @@ std::vector<Vector3<S>> kdop_normals(int k) {
 
 namespace detail {
 
+/// Throws unless slabs along the normals can be put around the points.
+template <FloatOrDouble S>
+void require_slabs_of(const std::vector<Vector3<S>>& normals, std::span<const Vector3<S>> points) {
+  if (points.empty()) throw_invalid_argument("points", "{}", "a k-DOP needs at least one point");
+  if (normals.empty()) throw_invalid_argument("normals", "{}", "a k-DOP needs at least one normal");
+  for (const Vector3<S>& point : points) require_finite("points", point);
+  for (const Vector3<S>& normal : normals) {
+    require_finite("normals", normal);
+    if (normal == Vector3<S>::Zero()) {
+      throw_invalid_argument("normals", vector_text(normal), "must not be 0");
+    }
+  }
+}
+
 /// The smallest and the largest n · p of points, without rounding.
 ///
 /// A product of three terms has at most five roundings, so 8 u times the sum of their magnitudes
@@ -104,16 +118,10 @@ std::pair<Exact, Exact> exact_extremes(const Vector3<S>& normal,
 /// normal is 0
 template <FloatOrDouble S>
 Kdop<S> kdop_of_points(const std::vector<Vector3<S>>& normals, std::span<const Vector3<S>> points) {
-  if (points.empty()) throw_invalid_argument("points", "{}", "a k-DOP needs at least one point");
-  if (normals.empty()) throw_invalid_argument("normals", "{}", "a k-DOP needs at least one normal");
-  for (const Vector3<S>& point : points) require_finite("points", point);
+  detail::require_slabs_of(normals, points);
   Kdop<S> dop;
   dop.normals = normals;
   for (const Vector3<S>& normal : normals) {
-    require_finite("normals", normal);
-    if (normal == Vector3<S>::Zero()) {
-      throw_invalid_argument("normals", vector_text(normal), "must not be 0");
-    }
     const auto [low, high] = detail::exact_extremes<S>(normal, points);
     dop.low.push_back(downward<S>(low));
     dop.high.push_back(upward<S>(high));

@@ -71,16 +71,10 @@ Extent extent_of(const Vector3<S>& normal, std::span<const Vector3<S>> points,
 template <FloatOrDouble S>
 Kdop<S> kdop_of_carried(const std::vector<Vector3<S>>& normals, std::span<const Vector3<S>> points,
                         const CoordinateFrame<S>& frame) {
-  if (points.empty()) throw_invalid_argument("points", "{}", "a k-DOP needs at least one point");
-  if (normals.empty()) throw_invalid_argument("normals", "{}", "a k-DOP needs at least one normal");
-  for (const Vector3<S>& point : points) require_finite("points", point);
+  detail::require_slabs_of(normals, points);
   Kdop<S> dop;
   dop.normals = normals;
   for (const Vector3<S>& normal : normals) {
-    require_finite("normals", normal);
-    if (normal == Vector3<S>::Zero()) {
-      throw_invalid_argument("normals", vector_text(normal), "must not be 0");
-    }
     const auto extent = carried_points_detail::extent_of<S>(normal, points, frame);
     dop.low.push_back(downward<S>(extent.low));
     dop.high.push_back(upward<S>(extent.high));
