@@ -24,7 +24,7 @@ struct ClosestPoints {
 namespace detail {
 
 template <std::floating_point S>
-S squared_gap(const ClosestPoints<S>& points) {
+S squared_between(const ClosestPoints<S>& points) {
   const Vector3<S> between = points.on_a - points.on_b;
   return between.dot(between);
 }
@@ -40,7 +40,7 @@ Vector3<S> point_at(const Segment<S>& segment, const S& t) {
 /// Keeps the closer of two pairs; of equal ones the first.
 template <std::floating_point S>
 void keep_nearer(ClosestPoints<S>& best, const ClosestPoints<S>& other) {
-  if (squared_gap(other) < squared_gap(best)) best = other;
+  if (squared_between(other) < squared_between(best)) best = other;
 }
 
 template <std::floating_point S>

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/gap.hpp>
-#include <contact/separation.hpp>
+#include <contact/closed_proximity.hpp>
+#include <contact/signed_distance.hpp>
 #include <limits>
 
 #include "random_poses.hpp"
@@ -21,8 +21,8 @@ using contact::Capsule;
 using contact::HalfSpace;
 using contact::Matrix3;
 using contact::OrientedBox;
+using contact::Proximity;
 using contact::Segment;
-using contact::Separation;
 using contact::Sphere;
 using generators::Random;
 using generators::tried;
@@ -50,7 +50,10 @@ using support::refusal;
 
 namespace {
 
-Separation by_sign(int sign) { return static_cast<Separation>(sign); }
+Proximity by_sign(int sign) {
+  if (sign == 0) return Proximity::touching;
+  return sign > 0 ? Proximity::disjoint : Proximity::overlapping;
+}
 
 /// The sign of √squared − reach.
 int beyond(const Rational& squared, const Rational& reach) {
@@ -58,15 +61,15 @@ int beyond(const Rational& squared, const Rational& reach) {
 }
 
 /// By the oracle of active sets: separated, or overlapping even if shrunk, or touching.
-Separation by_active_sets(const ExactBox& a, const ExactBox& b) {
-  if (min_squared(difference(zonotope(a), zonotope(b))) > 0) return Separation::separating;
+Proximity by_active_sets(const ExactBox& a, const ExactBox& b) {
+  if (min_squared(difference(zonotope(a), zonotope(b))) > 0) return Proximity::disjoint;
   ExactBox smaller = a;
   const Rational shrink = 1 - Rational(1) / (oracle::Integer(1) << 700);
   smaller.half_lengths = smaller.half_lengths * shrink;
   ExactBox other = b;
   other.half_lengths = other.half_lengths * shrink;
   const Rational apart = min_squared(difference(zonotope(smaller), zonotope(other)));
-  return apart > 0 ? Separation::touching : Separation::colliding;
+  return apart > 0 ? Proximity::touching : Proximity::overlapping;
 }
 
 }  // namespace
@@ -145,16 +148,16 @@ TEST_CASE("capsules and spheres: three cases, never wrong") {
         a.radius *= random.uniform(0.5, 1.5);
       }
     }
-    const Separation right =
-        by_sign(beyond(squared, oracle::exact(a.radius) + oracle::exact(b.radius)));
-    ++seen[static_cast<int>(right) + 1];
-    CHECK(contact::separation(a, b) == right);
-    CHECK(contact::separation(b, a) == right);
+    const int sign = beyond(squared, oracle::exact(a.radius) + oracle::exact(b.radius));
+    const Proximity right = by_sign(sign);
+    ++seen[sign + 1];
+    CHECK(contact::proximity(a, b) == right);
+    CHECK(contact::proximity(b, a) == right);
     if (a.core.start == a.core.end) {
       const Sphere<double> ball{a.core.start, a.radius};
-      CHECK(contact::separation(ball, b) == right);
+      CHECK(contact::proximity(ball, b) == right);
       if (b.core.start == b.core.end) {
-        CHECK(contact::separation(ball, Sphere<double>{b.core.start, b.radius}) == right);
+        CHECK(contact::proximity(ball, Sphere<double>{b.core.start, b.radius}) == right);
       }
     }
   }
@@ -186,10 +189,10 @@ TEST_CASE("capsules, spheres and boxes: three cases, never wrong") {
           min_squared(difference(zonotope(oracle::exact(a.core)), zonotope(smaller))) > 0 ? 0 : -1;
     }
     ++seen[right + 1];
-    CHECK(contact::separation(a, b) == by_sign(right));
-    CHECK(contact::separation(b, a) == by_sign(right));
+    CHECK(contact::proximity(a, b) == by_sign(right));
+    CHECK(contact::proximity(b, a) == by_sign(right));
     if (a.core.start == a.core.end) {
-      CHECK(contact::separation(Sphere<double>{a.core.start, a.radius}, b) == by_sign(right));
+      CHECK(contact::proximity(Sphere<double>{a.core.start, a.radius}, b) == by_sign(right));
     }
   }
   for (const int count : seen) CHECK(count > tried(100));
@@ -204,8 +207,8 @@ TEST_CASE("boxes: three cases, never wrong") {
     const Box b = partner(random, kind, a);
     const int right = oracle::sign(widest(exact(a), exact(b)));
     ++seen[right + 1];
-    CHECK(contact::separation(a, b) == by_sign(right));
-    CHECK(contact::separation(b, a) == by_sign(right));
+    CHECK(contact::proximity(a, b) == by_sign(right));
+    CHECK(contact::proximity(b, a) == by_sign(right));
   }
   CHECK(seen[0] > tried(500));
   CHECK(seen[1] > tried(100));
@@ -219,9 +222,9 @@ TEST_CASE("boxes: the fifteen axes agree with all active sets") {
     const Kind kind = i % 2 == 0 ? Kind::grid : kinds[i % 6];
     const Box a = box(random, kind);
     const Box b = partner(random, kind, a);
-    const Separation right = by_active_sets(exact(a), exact(b));
-    touching += right == Separation::touching ? 1 : 0;
-    CHECK(contact::separation(a, b) == right);
+    const Proximity right = by_active_sets(exact(a), exact(b));
+    touching += right == Proximity::touching ? 1 : 0;
+    CHECK(contact::proximity(a, b) == right);
   }
   CHECK(touching >= tried(3));
 }
@@ -249,16 +252,16 @@ TEST_CASE("half-spaces: three cases, never wrong") {
     }
     const int box_right = oracle::sign(Rational(lowest - k));
     touching += box_right == 0 ? 1 : 0;
-    CHECK(contact::separation(a, h) == by_sign(box_right));
-    CHECK(contact::separation(h, a) == by_sign(box_right));
+    CHECK(contact::proximity(a, h) == by_sign(box_right));
+    CHECK(contact::proximity(h, a) == by_sign(box_right));
     const Rational end =
         std::min<Rational>(n.dot(oracle::exact(c.core.start)), n.dot(oracle::exact(c.core.end))) -
         k;
     // end − r √(n·n)
     const int right = oracle::sign(oracle::Surd{end, -oracle::exact(c.radius), n.dot(n)});
-    CHECK(contact::separation(c, h) == by_sign(right));
+    CHECK(contact::proximity(c, h) == by_sign(right));
     const Rational first = n.dot(oracle::exact(c.core.start)) - k;
-    CHECK(contact::separation(Sphere<double>{c.core.start, c.radius}, h) ==
+    CHECK(contact::proximity(Sphere<double>{c.core.start, c.radius}, h) ==
           by_sign(oracle::sign(oracle::Surd{first, -oracle::exact(c.radius), n.dot(n)})));
   }
   CHECK(touching > tried(100));
@@ -273,14 +276,14 @@ TEST_CASE("a witness saves time and never changes the answer") {
     const V velocity = direction(random) * 0.02;
     for (int step = 0; step < 100; ++step) {
       const V before = witness.axis;
-      const Separation answer = contact::separation_with_witness(a, b, witness);
-      const Separation right = contact::separation(a, b);
+      const Proximity answer = contact::proximity_with_witness(a, b, witness);
+      const Proximity right = contact::proximity(a, b);
       CHECK(answer == right);
-      if (right == Separation::separating) {
+      if (right == Proximity::disjoint) {
         ++apart;
         kept += witness.axis == before ? 1 : 0;
         CHECK((witness.axis == before || contact::surely_separates(a, b, witness.axis) ||
-               contact::gap(a, b).distance < 1e-12));
+               contact::signed_distance(a, b).distance < 1e-12));
       }
       move(a, velocity);
     }
@@ -312,10 +315,10 @@ TEST_CASE("a certificate is a proof: whatever direction it accepts separates in 
     if (!contact::surely_separates(a, b, n)) continue;
     ++accepted;
     const Vector e = oracle::exact(n);
-    const Rational gap = e.dot(Vector(exact(a).centre - exact(b).centre)) -
-                         contact::projected_radius<Rational>(exact(a), e) -
-                         contact::projected_radius<Rational>(exact(b), e);
-    CHECK(gap > 0);
+    const Rational separation = e.dot(Vector(exact(a).centre - exact(b).centre)) -
+                                contact::projected_radius<Rational>(exact(a), e) -
+                                contact::projected_radius<Rational>(exact(b), e);
+    CHECK(separation > 0);
   }
   CHECK(accepted > tried(500));
   const Sphere<double> ball{V(0, 0, 2), 1};
@@ -334,12 +337,12 @@ TEST_CASE("the same in float, with errors of float's u") {
       return OrientedBox<float>{x.centre.cast<float>(), x.axes.cast<float>(),
                                 x.half_lengths.cast<float>()};
     };
-    const auto gap = contact::gap(narrow(a), narrow(b));
-    CHECK(std::abs(double(gap.distance) - contact::gap(a, b).distance) <=
+    const auto found = contact::signed_distance(narrow(a), narrow(b));
+    CHECK(std::abs(double(found.distance) - contact::signed_distance(a, b).distance) <=
           96 * float_u * (size_of(a) + size_of(b)));
     const Sphere<float> ball{a.centre.cast<float>(), 0.5F};
-    CHECK(std::abs(double(contact::gap(ball, narrow(b)).distance) -
-                   contact::gap(Sphere<double>{a.centre, 0.5}, b).distance) <=
+    CHECK(std::abs(double(contact::signed_distance(ball, narrow(b)).distance) -
+                   contact::signed_distance(Sphere<double>{a.centre, 0.5}, b).distance) <=
           96 * float_u * (size_of(a.centre) + size_of(b)));
   }
 }

@@ -17,25 +17,25 @@
 
 namespace contact {
 
-// [gap]
+// [signed-distance]
 /// The signed distance of two bodies A and B.
 ///
 /// on_a − on_b = distance normal, up to rounding. For separated bodies these are two closest
 /// points. For overlapping bodies, a translation of A by −distance along the normal is the shortest
 /// one that separates them.
 template <Ring S>
-struct Gap {
+struct SignedDistance {
   S distance = S(0);                       ///< m; negative: minus the penetration depth
   Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
   Vector3<S> on_a = Vector3<S>::Zero();    ///< on the surface of A, m
   Vector3<S> on_b = Vector3<S>::Zero();    ///< on the surface of B, m
 };
-// [/gap]
+// [/signed-distance]
 
 /// The same with the two bodies exchanged.
 template <Ring S>
-Gap<S> exchanged(const Gap<S>& gap) {
-  return {gap.distance, Vector3<S>(-gap.normal), gap.on_b, gap.on_a};
+SignedDistance<S> exchanged(const SignedDistance<S>& between) {
+  return {between.distance, Vector3<S>(-between.normal), between.on_b, between.on_a};
 }
 
 namespace detail {
@@ -54,11 +54,12 @@ Vector3<S> perpendicular_to(const Vector3<S>& d) {
   return normalised<S>(Vector3<S>(d.cross(axis)));
 }
 
-/// The gap of two bodies from the closest points of their cores, along a unit normal: each surface
-/// is at a distance of its radius from its core.
+/// The signed distance of two bodies from the closest points of their cores, along a unit normal:
+/// each surface is at a distance of its radius from its core.
 template <std::floating_point S>
-Gap<S> gap_of_cores(const Vector3<S>& on_a, const S& radius_a, const Vector3<S>& on_b,
-                    const S& radius_b, const S& distance, const Vector3<S>& normal) {
+SignedDistance<S> signed_distance_of_cores(const Vector3<S>& on_a, const S& radius_a,
+                                           const Vector3<S>& on_b, const S& radius_b,
+                                           const S& distance, const Vector3<S>& normal) {
   return {distance - (radius_a + radius_b), normal, Vector3<S>(on_a - normal * radius_a),
           Vector3<S>(on_b + normal * radius_b)};
 }
@@ -78,35 +79,37 @@ S length(const Vector3<S>& v) {
 
 }  // namespace detail
 
-// [gap-spheres]
-/// The gap of two spheres. If the centres coincide, all directions are equivalent, and z is taken.
+// [signed-distance-spheres]
+/// The signed distance of two spheres. If the centres coincide, all directions are equivalent, and
+/// z is taken.
 /// @return error of the distance: a few u of the coordinates and radii
 template <std::floating_point S>
-Gap<S> gap(const Sphere<S>& a, const Sphere<S>& b) {
+SignedDistance<S> signed_distance(const Sphere<S>& a, const Sphere<S>& b) {
   const Vector3<S> between = a.centre - b.centre;
   const Vector3<S> normal =
       between == Vector3<S>::Zero() ? Vector3<S>(Vector3<S>::UnitZ()) : normalised<S>(between);
-  return detail::gap_of_cores<S>(a.centre, a.radius, b.centre, b.radius, detail::length<S>(between),
-                                 normal);
+  return detail::signed_distance_of_cores<S>(a.centre, a.radius, b.centre, b.radius,
+                                             detail::length<S>(between), normal);
 }
-// [/gap-spheres]
+// [/signed-distance-spheres]
 
-// [gap-capsules]
-/// The gap of two capsules: that of the closest points of their segments, less the radii.
+// [signed-distance-capsules]
+/// The signed distance of two capsules: that of the closest points of their segments, less the
+/// radii.
 ///
 /// If the segments cross, their closest points define no direction. Then the shortest translation
 /// is perpendicular to both.
 /// @return error of the distance: a few u of the coordinates and radii
 template <std::floating_point S>
-Gap<S> gap(const Capsule<S>& a, const Capsule<S>& b) {
+SignedDistance<S> signed_distance(const Capsule<S>& a, const Capsule<S>& b) {
   const ClosestPoints<S> near = closest_points<S>(a.core, b.core);
   const Vector3<S> between = near.on_a - near.on_b;
   const S distance = detail::length<S>(between);
   const Vector3<S> d = a.core.end - a.core.start;
   const Vector3<S> e = b.core.end - b.core.start;
   if (distance > detail::direction_threshold<S>(near.on_a, near.on_b)) {
-    return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, distance,
-                                   normalised<S>(between));
+    return detail::signed_distance_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, distance,
+                                               normalised<S>(between));
   }
   Vector3<S> normal = d.cross(e);
   const S parallel = detail::length<S>(d) * detail::length<S>(e) * S(0x1p-20);
@@ -116,26 +119,27 @@ Gap<S> gap(const Capsule<S>& a, const Capsule<S>& b) {
     normal = detail::perpendicular_to<S>(d == Vector3<S>::Zero() ? e : d);
   }
   if (normal.dot(between) < S(0)) normal = -normal;
-  return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, S(0), normal);
+  return detail::signed_distance_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, S(0),
+                                             normal);
 }
 /// A sphere and a capsule.
 template <std::floating_point S>
-Gap<S> gap(const Sphere<S>& a, const Capsule<S>& b) {
-  return gap(as_capsule(a), b);
+SignedDistance<S> signed_distance(const Sphere<S>& a, const Capsule<S>& b) {
+  return signed_distance(as_capsule(a), b);
 }
 /// A capsule and a sphere.
 template <std::floating_point S>
-Gap<S> gap(const Capsule<S>& a, const Sphere<S>& b) {
-  return gap(a, as_capsule(b));
+SignedDistance<S> signed_distance(const Capsule<S>& a, const Sphere<S>& b) {
+  return signed_distance(a, as_capsule(b));
 }
-// [/gap-capsules]
+// [/signed-distance-capsules]
 
-// [gap-sphere-box]
-/// The gap of a sphere and a box. A centre inside the box is moved out through the closest face: of
-/// equal ones, the first of x, y and z, on the positive side.
+// [signed-distance-sphere-box]
+/// The signed distance of a sphere and a box. A centre inside the box is moved out through the
+/// closest face: of equal ones, the first of x, y and z, on the positive side.
 /// @return error of the distance: a few u of the coordinates, sizes and radius
 template <std::floating_point S>
-Gap<S> gap(const Sphere<S>& a, const OrientedBox<S>& b) {
+SignedDistance<S> signed_distance(const Sphere<S>& a, const OrientedBox<S>& b) {
   const Vector3<S> local = in_box_axes(b, a.centre);
   Vector3<S> inside;
   for (int i = 0; i < 3; ++i) {
@@ -145,8 +149,8 @@ Gap<S> gap(const Sphere<S>& a, const OrientedBox<S>& b) {
   if (between != Vector3<S>::Zero()) {
     const Vector3<S> unit = normalised<S>(between);
     const Vector3<S> normal = b.axes * unit;
-    return detail::gap_of_cores<S>(a.centre, a.radius, out_of_box_axes(b, inside), S(0),
-                                   detail::length<S>(between), normal);
+    return detail::signed_distance_of_cores<S>(a.centre, a.radius, out_of_box_axes(b, inside), S(0),
+                                               detail::length<S>(between), normal);
   }
   int face = 0;
   S depth = b.half_lengths(0) - std::abs(local(0));
@@ -160,19 +164,19 @@ Gap<S> gap(const Sphere<S>& a, const OrientedBox<S>& b) {
   const S side = local(face) < S(0) ? S(-1) : S(1);
   inside(face) = side * b.half_lengths(face);
   const Vector3<S> normal = Vector3<S>(b.axes.col(face)) * side;
-  return detail::gap_of_cores<S>(a.centre, a.radius, out_of_box_axes(b, inside), S(0), S(-depth),
-                                 normal);
+  return detail::signed_distance_of_cores<S>(a.centre, a.radius, out_of_box_axes(b, inside), S(0),
+                                             S(-depth), normal);
 }
 /// A box and a sphere.
 template <std::floating_point S>
-Gap<S> gap(const OrientedBox<S>& a, const Sphere<S>& b) {
-  return exchanged(gap(b, a));
+SignedDistance<S> signed_distance(const OrientedBox<S>& a, const Sphere<S>& b) {
+  return exchanged(signed_distance(b, a));
 }
-// [/gap-sphere-box]
+// [/signed-distance-sphere-box]
 
 namespace detail {
 
-/// An axis and the gap of A and B along it.
+/// An axis and the separation of A and B along it.
 template <std::floating_point S>
 struct AxisSeparation {
   S separation = -std::numeric_limits<S>::infinity();  ///< m
@@ -199,11 +203,11 @@ bool has_direction(const Vector3<S>& cross) {
 
 }  // namespace detail
 
-// [gap-capsule-box]
+// [signed-distance-capsule-box]
 namespace detail {
 
-/// The axis of largest gap between a segment and a box: of the three face normals of the box and
-/// the three cross products of the segment and an edge.
+/// The axis of largest separation between a segment and a box: of the three face normals of the box
+/// and the three cross products of the segment and an edge.
 template <std::floating_point S>
 AxisSeparation<S> max_separation(const Segment<S>& a, const OrientedBox<S>& b) {
   AxisSeparation<S> best;
@@ -232,22 +236,22 @@ AxisSeparation<S> max_separation(const Segment<S>& a, const OrientedBox<S>& b) {
 
 }  // namespace detail
 
-/// The gap of a capsule and a box: that of its segment and the box, less the radius.
+/// The signed distance of a capsule and a box: that of its segment and the box, less the radius.
 ///
 /// If the segment is outside, the closest points give distance and direction. If it meets the box,
 /// the shortest translation is along one of six axes.
 /// @return error of the distance: a few u of the coordinates, sizes and radius
 template <std::floating_point S>
-Gap<S> gap(const Capsule<S>& a, const OrientedBox<S>& b) {
-  if (a.core.start == a.core.end) return gap(Sphere<S>{a.core.start, a.radius}, b);
+SignedDistance<S> signed_distance(const Capsule<S>& a, const OrientedBox<S>& b) {
+  if (a.core.start == a.core.end) return signed_distance(Sphere<S>{a.core.start, a.radius}, b);
   const detail::AxisSeparation<S> widest = detail::max_separation<S>(a.core, b);
   const ClosestPoints<S> near = closest_points<S>(a.core, b);
   const Vector3<S> between = near.on_a - near.on_b;
   const S distance = detail::length<S>(between);
   const Vector3<S> far = b.axes.cwiseAbs() * b.half_lengths + b.centre.cwiseAbs();
   if (distance > detail::direction_threshold<S>(near.on_a, far)) {
-    return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, S(0), distance,
-                                   normalised<S>(between));
+    return detail::signed_distance_of_cores<S>(near.on_a, a.radius, near.on_b, S(0), distance,
+                                               normalised<S>(between));
   }
   const Vector3<S>& n = widest.normal;
   Vector3<S> deepest;
@@ -267,22 +271,23 @@ Gap<S> gap(const Capsule<S>& a, const OrientedBox<S>& b) {
     const Vector2<S> at = detail::crossing_fractions(a.core, edge);
     deepest = at.x() >= S(0) ? detail::point_at<S>(a.core, at.x()) : near.on_a;
   }
-  return detail::gap_of_cores<S>(deepest, a.radius, Vector3<S>(deepest - n * widest.separation),
-                                 S(0), widest.separation, n);
+  return detail::signed_distance_of_cores<S>(
+      deepest, a.radius, Vector3<S>(deepest - n * widest.separation), S(0), widest.separation, n);
 }
 /// A box and a capsule.
 template <std::floating_point S>
-Gap<S> gap(const OrientedBox<S>& a, const Capsule<S>& b) {
-  return exchanged(gap(b, a));
+SignedDistance<S> signed_distance(const OrientedBox<S>& a, const Capsule<S>& b) {
+  return exchanged(signed_distance(b, a));
 }
-// [/gap-capsule-box]
+// [/signed-distance-capsule-box]
 
-// [gap-boxes]
+// [signed-distance-boxes]
 namespace detail {
 
-/// The axis of largest gap between two boxes, of the fifteen or of some of them. axis is −1 if none
-/// of them has a direction. Of equal ones the first is taken, and an edge–edge axis must exceed the
-/// face normals by 64 u of the sizes: faces give better contacts, and rounding must not decide.
+/// The axis of largest separation between two boxes, of the fifteen or of some of them. axis is −1
+/// if none of them has a direction. Of equal ones the first is taken, and an edge–edge axis must
+/// exceed the face normals by 64 u of the sizes: faces give better contacts, and rounding must not
+/// decide.
 template <std::floating_point S>
 AxisSeparation<S> max_separation(const OrientedBox<S>& a, const OrientedBox<S>& b, int first = 0,
                                  int last = box_axis_count - 1) {
@@ -312,7 +317,7 @@ AxisSeparation<S> max_separation(const OrientedBox<S>& a, const OrientedBox<S>& 
 
 }  // namespace detail
 
-/// The gap of two boxes.
+/// The signed distance of two boxes.
 ///
 /// Separated boxes: the distance of their closest points. If rounding cannot distinguish its
 /// direction from one of the fifteen axes, the axis is taken, which has full precision however
@@ -321,7 +326,7 @@ AxisSeparation<S> max_separation(const OrientedBox<S>& a, const OrientedBox<S>& 
 /// closest points of these.
 /// @return error of the distance: a few u of the coordinates and sizes
 template <std::floating_point S>
-Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
+SignedDistance<S> signed_distance(const OrientedBox<S>& a, const OrientedBox<S>& b) {
   const detail::AxisSeparation<S> widest = detail::max_separation<S>(a, b);
   const Vector3<S>& n = widest.normal;
   const Vector3<S> far_a = a.axes.cwiseAbs() * a.half_lengths + a.centre.cwiseAbs();
@@ -332,8 +337,9 @@ Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
     // A direction computed from two points loses its digits if the boxes almost touch.
     const bool along = detail::length<S>(Vector3<S>(between - n * widest.separation)) <=
                        S(4) * detail::direction_threshold<S>(far_a, far_b);
-    return detail::gap_of_cores<S>(near.on_a, S(0), near.on_b, S(0), detail::length<S>(between),
-                                   along ? n : normalised<S>(between));
+    return detail::signed_distance_of_cores<S>(near.on_a, S(0), near.on_b, S(0),
+                                               detail::length<S>(between),
+                                               along ? n : normalised<S>(between));
   }
   if (widest.axis < 6) {
     const bool face_of_a = widest.axis < 3;
@@ -355,16 +361,17 @@ Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
   const ClosestPoints<S> near = closest_points<S>(edge_a, edge_b);
   return {widest.separation, n, near.on_a, near.on_b};
 }
-// [/gap-boxes]
+// [/signed-distance-boxes]
 
-// [gap-half-space]
-/// The gap of points and a half-space: that of the lowest point, the first of equal ones. The
-/// points of a convex hull represent the hull. With a radius, each point is a ball.
+// [signed-distance-half-space]
+/// The signed distance of points and a half-space: that of the lowest point, the first of equal
+/// ones. The points of a convex hull represent the hull. With a radius, each point is a ball.
 /// @param points at least one
 /// @param radius m, not negative
 /// @return error of the distance: a few u of the coordinates
 template <std::floating_point S>
-Gap<S> gap(const std::vector<Vector3<S>>& points, const S& radius, const HalfSpace<S>& b) {
+SignedDistance<S> signed_distance(const std::vector<Vector3<S>>& points, const S& radius,
+                                  const HalfSpace<S>& b) {
   std::size_t lowest = 0;
   S least = signed_distance(b.boundary, points[0]);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -375,32 +382,32 @@ Gap<S> gap(const std::vector<Vector3<S>>& points, const S& radius, const HalfSpa
     }
   }
   const Vector3<S>& n = b.boundary.normal;
-  return detail::gap_of_cores<S>(points[lowest], radius, Vector3<S>(points[lowest] - n * least),
-                                 S(0), least, n);
+  return detail::signed_distance_of_cores<S>(
+      points[lowest], radius, Vector3<S>(points[lowest] - n * least), S(0), least, n);
 }
 /// A sphere and a half-space.
 template <std::floating_point S>
-Gap<S> gap(const Sphere<S>& a, const HalfSpace<S>& b) {
-  return gap<S>(std::vector<Vector3<S>>{a.centre}, a.radius, b);
+SignedDistance<S> signed_distance(const Sphere<S>& a, const HalfSpace<S>& b) {
+  return signed_distance<S>(std::vector<Vector3<S>>{a.centre}, a.radius, b);
 }
 /// A capsule and a half-space: the lower end of its segment.
 template <std::floating_point S>
-Gap<S> gap(const Capsule<S>& a, const HalfSpace<S>& b) {
-  return gap<S>(std::vector<Vector3<S>>{a.core.start, a.core.end}, a.radius, b);
+SignedDistance<S> signed_distance(const Capsule<S>& a, const HalfSpace<S>& b) {
+  return signed_distance<S>(std::vector<Vector3<S>>{a.core.start, a.core.end}, a.radius, b);
 }
 /// A box and a half-space: the lowest corner.
 template <std::floating_point S>
-Gap<S> gap(const OrientedBox<S>& a, const HalfSpace<S>& b) {
+SignedDistance<S> signed_distance(const OrientedBox<S>& a, const HalfSpace<S>& b) {
   std::vector<Vector3<S>> corners;
   corners.reserve(8);
   for (int k = 0; k < 8; ++k) corners.push_back(box_corner(a, k));
-  return gap<S>(corners, S(0), b);
+  return signed_distance<S>(corners, S(0), b);
 }
 /// A half-space and any of these.
 template <std::floating_point S, template <class> class Shape>
-Gap<S> gap(const HalfSpace<S>& a, const Shape<S>& b) {
-  return exchanged(gap(b, a));
+SignedDistance<S> signed_distance(const HalfSpace<S>& a, const Shape<S>& b) {
+  return exchanged(signed_distance(b, a));
 }
-// [/gap-half-space]
+// [/signed-distance-half-space]
 
 }  // namespace contact

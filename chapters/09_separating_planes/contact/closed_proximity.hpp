@@ -1,6 +1,6 @@
 /// @file
-/// Separating, touching or colliding: which of the three holds for two convex bodies, decided
-/// exactly for the stored numbers.
+/// Disjoint, touching or overlapping: which of the three holds for two spheres, capsules, boxes or
+/// half-spaces, decided exactly for the stored numbers by closed forms.
 #pragma once
 
 #include <algorithm>
@@ -19,20 +19,22 @@
 
 namespace contact {
 
-// [separation]
-/// The three cases of two convex bodies.
-enum class Separation {
-  colliding = -1,  ///< they overlap: no sufficiently small translation separates them
-  touching = 0,  ///< they have common points, and some arbitrarily small translation separates them
-  separating = 1  ///< they have no common point
+// [proximity]
+/// How two convex bodies lie to each other.
+enum class Proximity {
+  disjoint,     ///< they have no common point: a plane separates them strictly
+  touching,     ///< they have common points, and a plane has A on one side and B on the other
+  overlapping,  ///< no plane separates them, not even one that both touch
+  undecided  ///< neither was proved: only for cylinders and ellipsoids, with bounds of the distance
 };
-// [/separation]
+// [/proximity]
 
 namespace detail {
 
-inline Separation separation_of_sign(int sign) {
-  return sign > 0 ? Separation::separating
-                  : (sign < 0 ? Separation::colliding : Separation::touching);
+/// The case that the sign of a signed distance stands for.
+inline Proximity proximity_of_sign(int sign) {
+  if (sign == 0) return Proximity::touching;
+  return sign > 0 ? Proximity::disjoint : Proximity::overlapping;
 }
 
 inline ExactFraction fraction(double x) { return ExactFraction(x); }
@@ -117,52 +119,52 @@ bool surely_separates(const A& a, const B& b, const Vector3<double>& n) {
 /// points separates the capsules; or those points, each moved by its error bound, are closer than
 /// the sum of the radii. If neither is certain, squared distances are compared in fractions: |p −
 /// q|² and (r + R)², without a root and without rounding.
-inline Separation separation(const Capsule<double>& a, const Capsule<double>& b) {
+inline Proximity proximity(const Capsule<double>& a, const Capsule<double>& b) {
   const ClosestPoints<double> near = closest_points<double>(a.core, b.core);
   const Vector3<double> n = near.on_a - near.on_b;
-  if (surely_separates(a, b, n)) return Separation::separating;
+  if (surely_separates(a, b, n)) return Proximity::disjoint;
   const double slack = detail::core_slack(a) + detail::core_slack(b);
   const double distance = std::sqrt(n.dot(n)) + slack;
   const double reach = a.radius + b.radius;
   if (detail::in_filter_range(reach) && distance < reach * (1 - 0x1p-48)) {
-    return Separation::colliding;
+    return Proximity::overlapping;
   }
   const ExactFraction radius = detail::fraction(a.radius) + detail::fraction(b.radius);
   const ExactFraction squared =
       exact_squared_distance(detail::fractions(a.core), detail::fractions(b.core));
-  return detail::separation_of_sign((squared - radius * radius).sign());
+  return detail::proximity_of_sign((squared - radius * radius).sign());
 }
 // [/capsules]
 
 // [capsule-box]
 /// Which of the three cases holds for a capsule and a box. As for two capsules; a capsule of radius
 /// 0 collides if its segment enters the interior of the box.
-inline Separation separation(const Capsule<double>& a, const OrientedBox<double>& b) {
+inline Proximity proximity(const Capsule<double>& a, const OrientedBox<double>& b) {
   const ClosestPoints<double> near = closest_points<double>(a.core, b);
   const Vector3<double> n = near.on_a - near.on_b;
-  if (surely_separates(a, b, n)) return Separation::separating;
+  if (surely_separates(a, b, n)) return Proximity::disjoint;
   const double distance = std::sqrt(n.dot(n)) + detail::core_slack(a) + detail::core_slack(b);
   if (detail::in_filter_range(a.radius) && distance < a.radius * (1 - 0x1p-48)) {
-    return Separation::colliding;
+    return Proximity::overlapping;
   }
   const auto core = detail::fractions(a.core);
   const auto box = detail::fractions(b);
   const ExactFraction radius = detail::fraction(a.radius);
   const int sign = (exact_squared_distance(core, box) - radius * radius).sign();
   if (sign == 0 && radius.sign() == 0) {
-    return segment_meets_box(core, box, true) ? Separation::colliding : Separation::touching;
+    return segment_meets_box(core, box, true) ? Proximity::overlapping : Proximity::touching;
   }
-  return detail::separation_of_sign(sign);
+  return detail::proximity_of_sign(sign);
 }
 /// A box and a capsule.
-inline Separation separation(const OrientedBox<double>& a, const Capsule<double>& b) {
-  return separation(b, a);
+inline Proximity proximity(const OrientedBox<double>& a, const Capsule<double>& b) {
+  return proximity(b, a);
 }
 // [/capsule-box]
 
 // [spheres]
 /// Which of the three cases holds for two spheres: |c − d|² is compared with (r + R)².
-inline Separation separation(const Sphere<double>& a, const Sphere<double>& b) {
+inline Proximity proximity(const Sphere<double>& a, const Sphere<double>& b) {
   const Vector3<double> between = a.centre - b.centre;
   const double reach = a.radius + b.radius;
   const double squared = between.dot(between);
@@ -170,27 +172,27 @@ inline Separation separation(const Sphere<double>& a, const Sphere<double>& b) {
   const double room = tolerance::gamma<double>(8) * (squared + reach * reach);
   const double value = squared - reach * reach;
   if (detail::in_filter_range(squared + reach * reach) && std::abs(value) > room) {
-    return value > 0 ? Separation::separating : Separation::colliding;
+    return value > 0 ? Proximity::disjoint : Proximity::overlapping;
   }
   const Vector3<Exact> exact = exact_vector<double>(a.centre) - exact_vector<double>(b.centre);
   const Exact sum = Exact(a.radius) + Exact(b.radius);
-  return detail::separation_of_sign((exact.dot(exact) - sum * sum).sign());
+  return detail::proximity_of_sign((exact.dot(exact) - sum * sum).sign());
 }
 /// A sphere and a capsule.
-inline Separation separation(const Sphere<double>& a, const Capsule<double>& b) {
-  return separation(as_capsule(a), b);
+inline Proximity proximity(const Sphere<double>& a, const Capsule<double>& b) {
+  return proximity(as_capsule(a), b);
 }
 /// A capsule and a sphere.
-inline Separation separation(const Capsule<double>& a, const Sphere<double>& b) {
-  return separation(a, as_capsule(b));
+inline Proximity proximity(const Capsule<double>& a, const Sphere<double>& b) {
+  return proximity(a, as_capsule(b));
 }
 /// A sphere and a box.
-inline Separation separation(const Sphere<double>& a, const OrientedBox<double>& b) {
-  return separation(as_capsule(a), b);
+inline Proximity proximity(const Sphere<double>& a, const OrientedBox<double>& b) {
+  return proximity(as_capsule(a), b);
 }
 /// A box and a sphere.
-inline Separation separation(const OrientedBox<double>& a, const Sphere<double>& b) {
-  return separation(as_capsule(b), a);
+inline Proximity proximity(const OrientedBox<double>& a, const Sphere<double>& b) {
+  return proximity(as_capsule(b), a);
 }
 // [/spheres]
 
@@ -198,19 +200,19 @@ inline Separation separation(const OrientedBox<double>& a, const Sphere<double>&
 /// Which of the three cases holds for two boxes, by the separating axis theorem (SAT).
 ///
 /// The differences a − b of their points (Minkowski difference) form a polyhedron whose face
-/// normals are among the fifteen axes. So the boxes are separated if the gap along one axis is
-/// positive, touch if the largest gap is 0, and collide otherwise. Every sign is exact: a
+/// normals are among the fifteen axes. So the boxes are separated if the separation along one axis
+/// is positive, touch if the largest separation is 0, and collide otherwise. Every sign is exact: a
 /// floating-point filter decides if its bound allows it, exact arithmetic otherwise. Axes of
 /// parallel edges are left out if they are exactly 0; those of nearly parallel edges are axes like
 /// all others.
-inline Separation separation(const OrientedBox<double>& a, const OrientedBox<double>& b) {
+inline Proximity proximity(const OrientedBox<double>& a, const OrientedBox<double>& b) {
   bool touching = false;
   for (int k = 0; k < box_axis_count; ++k) {
-    const int sign = detail::sign_of_gap(a, b, k);
-    if (sign == 1) return Separation::separating;
+    const int sign = detail::sign_of_separation(a, b, k);
+    if (sign == 1) return Proximity::disjoint;
     if (sign == 0) touching = true;
   }
-  return touching ? Separation::touching : Separation::colliding;
+  return touching ? Proximity::touching : Proximity::overlapping;
 }
 // [/boxes]
 
@@ -233,8 +235,8 @@ inline int sign_beyond(const Exact& value, double radius, const Vector3<Exact>& 
 /// · c − k of a ball is compared with r |n|, by squares.
 /// @param points at least one
 /// @param radius m, not negative
-inline Separation separation(const std::vector<Vector3<double>>& points, double radius,
-                             const HalfSpace<double>& b) {
+inline Proximity proximity(const std::vector<Vector3<double>>& points, double radius,
+                           const HalfSpace<double>& b) {
   const Vector3<double>& n = b.boundary.normal;
   const double length = std::sqrt(n.dot(n));
   int least = 1;
@@ -243,32 +245,32 @@ inline Separation separation(const std::vector<Vector3<double>>& points, double 
     const double size =
         n.cwiseAbs().dot(p.cwiseAbs()) + std::abs(b.boundary.offset) + radius * length;
     if (detail::in_filter_range(size) && std::abs(value) > tolerance::gamma<double>(16) * size) {
-      if (value < 0) return Separation::colliding;
+      if (value < 0) return Proximity::overlapping;
       continue;
     }
     const Vector3<Exact> exact = exact_vector<double>(n);
     const Exact above = exact.dot(exact_vector<double>(p)) - Exact(b.boundary.offset);
     least = std::min(least, detail::sign_beyond(above, radius, exact));
-    if (least < 0) return Separation::colliding;
+    if (least < 0) return Proximity::overlapping;
   }
-  return detail::separation_of_sign(least);
+  return detail::proximity_of_sign(least);
 }
 /// A capsule and a half-space.
-inline Separation separation(const Capsule<double>& a, const HalfSpace<double>& b) {
-  return separation({a.core.start, a.core.end}, a.radius, b);
+inline Proximity proximity(const Capsule<double>& a, const HalfSpace<double>& b) {
+  return proximity({a.core.start, a.core.end}, a.radius, b);
 }
 /// A sphere and a half-space.
-inline Separation separation(const Sphere<double>& a, const HalfSpace<double>& b) {
-  return separation({a.centre}, a.radius, b);
+inline Proximity proximity(const Sphere<double>& a, const HalfSpace<double>& b) {
+  return proximity({a.centre}, a.radius, b);
 }
 /// A box against a half-space: n · c − Σ hᵢ |n · aᵢ| is compared with k.
-inline Separation separation(const OrientedBox<double>& a, const HalfSpace<double>& b) {
+inline Proximity proximity(const OrientedBox<double>& a, const HalfSpace<double>& b) {
   const Vector3<double>& n = b.boundary.normal;
   const detail::Extent extent = detail::extent_along(a, n);
   const double value = extent.low - b.boundary.offset;
   const double size = extent.size + std::abs(b.boundary.offset);
   if (detail::in_filter_range(size) && std::abs(value) > tolerance::gamma<double>(16) * size) {
-    return value > 0 ? Separation::separating : Separation::colliding;
+    return value > 0 ? Proximity::disjoint : Proximity::overlapping;
   }
   const Vector3<Exact> exact = exact_vector<double>(n);
   Exact lowest = exact.dot(exact_vector<double>(a.centre)) - Exact(b.boundary.offset);
@@ -276,19 +278,19 @@ inline Separation separation(const OrientedBox<double>& a, const HalfSpace<doubl
     const Vector3<double> axis = a.axes.col(i);
     lowest -= Exact(a.half_lengths(i)) * abs(exact.dot(exact_vector<double>(axis)));
   }
-  return detail::separation_of_sign(lowest.sign());
+  return detail::proximity_of_sign(lowest.sign());
 }
 /// A half-space and a sphere.
-inline Separation separation(const HalfSpace<double>& a, const Sphere<double>& b) {
-  return separation(b, a);
+inline Proximity proximity(const HalfSpace<double>& a, const Sphere<double>& b) {
+  return proximity(b, a);
 }
 /// A half-space and a capsule.
-inline Separation separation(const HalfSpace<double>& a, const Capsule<double>& b) {
-  return separation(b, a);
+inline Proximity proximity(const HalfSpace<double>& a, const Capsule<double>& b) {
+  return proximity(b, a);
 }
 /// A half-space and a box.
-inline Separation separation(const HalfSpace<double>& a, const OrientedBox<double>& b) {
-  return separation(b, a);
+inline Proximity proximity(const HalfSpace<double>& a, const OrientedBox<double>& b) {
+  return proximity(b, a);
 }
 // [/half-space]
 
@@ -325,7 +327,7 @@ inline Vector3<double> likely_axis(const Sphere<double>& a, const Capsule<double
 inline Vector3<double> likely_axis(const Sphere<double>& a, const OrientedBox<double>& b) {
   return likely_axis(as_capsule(a), b);
 }
-/// Of the fifteen axes the one with the largest gap relative to its length.
+/// Of the fifteen axes the one with the largest separation relative to its length.
 inline Vector3<double> likely_axis(const OrientedBox<double>& a, const OrientedBox<double>& b) {
   Vector3<double> best = Vector3<double>::Zero();
   double largest = -std::numeric_limits<double>::infinity();
@@ -333,26 +335,26 @@ inline Vector3<double> likely_axis(const OrientedBox<double>& a, const OrientedB
     const Vector3<double> n = box_axis(a, b, k);
     const double length = std::sqrt(n.dot(n));
     if (!(length > 0)) continue;
-    const double gap = gap_along<double>(a, b, n) / length;
-    if (gap > largest) {
-      largest = gap;
+    const double separation = separation_along<double>(a, b, n) / length;
+    if (separation > largest) {
+      largest = separation;
       best = n.dot(Vector3<double>(a.centre - b.centre)) < 0 ? Vector3<double>(-n) : n;
     }
   }
   return best;
 }
 
-/// The same result as separation(a, b), faster if the bodies are separated as before.
+/// The same result as proximity(a, b), faster if the bodies are separated as before.
 ///
 /// The witness is tested first. If it certainly separates them, they are separated: that is a
-/// proof, and the exact separation() would agree. Otherwise separation() decides. So the result
+/// proof, and the exact proximity() would agree. Otherwise proximity() decides. So the result
 /// never depends on the witness.
 /// @param witness is replaced if the bodies are separated along another direction
 template <class A, class B>
-Separation separation_with_witness(const A& a, const B& b, SeparatingWitness& witness) {
-  if (surely_separates(a, b, witness.axis)) return Separation::separating;
-  const Separation answer = separation(a, b);
-  if (answer == Separation::separating) witness.axis = likely_axis(a, b);
+Proximity proximity_with_witness(const A& a, const B& b, SeparatingWitness& witness) {
+  if (surely_separates(a, b, witness.axis)) return Proximity::disjoint;
+  const Proximity answer = proximity(a, b);
+  if (answer == Proximity::disjoint) witness.axis = likely_axis(a, b);
   return answer;
 }
 // [/witness]
