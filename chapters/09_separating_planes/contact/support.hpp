@@ -283,8 +283,8 @@ template <PolytopeCore Body>
 Vector3<ScalarOf<Body>> support(const Body& body, const detail::Direction<ScalarOf<Body>>& n) {
   return vertex(body, support_vertex(body, n));
 }
-/// That of a cylinder is on the rim of a cap: the part of n across the core gives the direction
-/// from its centre. Along the core, the centre of the cap.
+/// That of a cylinder is on the rim of a cap: the component of n perpendicular to the core gives
+/// the direction from its centre. Along the core, the centre of the cap.
 template <FloatOrDouble S>
 Vector3<S> support(const Cylinder<S>& body, const detail::Direction<S>& n) {
   const Vector3<S> axis = detail::unit_of_any_size<S>(Vector3<S>(body.core.end - body.core.start));

@@ -1,0 +1,399 @@
+/// @file
+/// The distance of two convex bodies' cores by the algorithm of Gilbert, Johnson and Keerthi (GJK),
+/// rounded.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <contact/gjk_cores.hpp>
+#include <contact/gjk_simplex.hpp>
+#include <contact/support.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace contact {
+
+// [gjk-result]
+/// A vertex of GJK's simplex: a difference of two points, of A and of B.
+template <FloatOrDouble S>
+struct GjkVertex {
+  Vector3<S> difference = Vector3<S>::Zero();  ///< of_a − of_b, m
+  Vector3<S> of_a = Vector3<S>::Zero();  ///< a vertex of A's core, or a point of a smooth A, m
+  Vector3<S> of_b = Vector3<S>::Zero();  ///< the same of B, m
+  int a = -1;                            ///< which vertex of A's core; −1 for a smooth body
+  int b = -1;                            ///< which vertex of B's core
+};
+
+/// What GJK found of two bodies A and B. Distances and points are those of the cores, or of the
+/// bodies if they are smooth; radii are not subtracted.
+template <FloatOrDouble S>
+struct GjkResult {
+  S distance = S(0);                        ///< |between|, m; 0 if the simplex contains the origin
+  S lower = S(0);                           ///< a lower bound up to rounding, from a plane, m
+  Vector3<S> between = Vector3<S>::Zero();  ///< from B to A, m: on_a − on_b with more digits
+  Vector3<S> on_a = Vector3<S>::Zero();     ///< closest point of A, m
+  Vector3<S> on_b = Vector3<S>::Zero();     ///< closest point of B, m
+  int count = 0;                            ///< vertices of the simplex, from 1 to 4
+  std::array<GjkVertex<S>, 4> simplex;      ///< the first `count` count
+  std::array<S, 4> weights{};               ///< of the vertices, > 0, of sum 1 up to rounding
+  int iterations = 0;                       ///< pairs of supports computed
+  bool converged = false;                   ///< whether `distance` and `lower` agree up to rounding
+};
+
+/// Where GJK begins: with the simplex of an earlier result, or along its direction. It changes the
+/// time that GJK needs, not what it looks for.
+template <FloatOrDouble S>
+struct GjkStart {
+  Vector3<S> direction = Vector3<S>::Zero();  ///< from B to A, of any length; 0: unknown
+  int count = 0;                              ///< vertices of the simplex; 0: none is known
+  std::array<int, 4> a{}, b{};                ///< which vertices of the cores of A and of B
+};
+// [/gjk-result]
+
+/// The start that a result gives for the same bodies a step later.
+template <FloatOrDouble S>
+GjkStart<S> start_from(const GjkResult<S>& result) {
+  GjkStart<S> start;
+  start.direction = result.between;
+  start.count = result.count;
+  for (std::size_t i = 0; i < 4; ++i) {
+    start.a[i] = result.simplex[i].a;
+    start.b[i] = result.simplex[i].b;
+    if (i < static_cast<std::size_t>(result.count) && (start.a[i] < 0 || start.b[i] < 0)) {
+      start.count = 0;
+    }
+  }
+  return start;
+}
+
+/// One step of GJK, to draw it.
+template <FloatOrDouble S>
+struct GjkStep {
+  int count = 0;           ///< vertices of the simplex
+  FourPoints<S> vertices;  ///< differences of points of A and B, m; the first `count` count
+  Vector3<S> closest = Vector3<S>::Zero();  ///< the simplex's point closest to the origin, m
+  Vector3<S> next = Vector3<S>::Zero();  ///< the vertex of A − B farthest towards the origin, m
+};
+
+namespace gjk_detail {
+
+/// How often GJK computes supports at most.
+inline constexpr int max_iterations = 255;
+
+/// Lengths whose products of four neither over- nor underflow.
+template <FloatOrDouble S>
+inline constexpr S longest_length = std::same_as<S, float> ? S(0x1p30) : S(0x1p200);
+template <FloatOrDouble S>
+inline constexpr S shortest_length = std::same_as<S, float> ? S(0x1p-20) : S(0x1p-150);
+
+/// The loop, for two bodies and with a function that is told each step.
+template <ConvexBody A, ConvexBody B, class Record>
+class GjkLoop {
+ public:
+  using S = ScalarOf<A>;
+  GjkLoop(const A& a, const B& b, const Record& record)
+      : body_a_(a), body_b_(b), a_(a), b_(b), record_(record) {}
+
+  /// Runs until nothing can be improved.
+  /// @return false if a length was out of range, so that nothing is known
+  bool run(const GjkStart<S>& start);
+  GjkResult<ScalarOf<A>> result() const;
+
+ private:
+  using KeyA = typename GjkCore<A>::Key;
+  using KeyB = typename GjkCore<B>::Key;
+
+  const A& body_a_;
+  const B& body_b_;
+  GjkCore<A> a_;
+  GjkCore<B> b_;
+  const Record& record_;
+
+  FourPoints<S> w_;  // the simplex
+  std::array<KeyA, 4> of_a_;
+  std::array<KeyB, 4> of_b_;
+  int count_ = 0;
+  SimplexPoint<S> closest_;
+  S squared_ = S(0);          // |closest|²
+  S lowest_along_ = S(0);     // the smallest w · closest of A − B
+  S largest_squared_ = S(0);  // of all w
+  int iterations_ = 0;
+  bool exactly_ = false;  // whether simplices are solved without rounding
+  bool converged_ = false;
+
+  static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  Vector3<S> difference(const KeyA& p, const KeyB& q) const {
+    Vector3<S> w = a_.base(p) - b_.base(q);
+    if constexpr (GjkCore<A>::has_offset && GjkCore<B>::has_offset) {
+      w += a_.offset(p) - b_.offset(q);
+    } else if constexpr (GjkCore<A>::has_offset) {
+      w += a_.offset(p);
+    } else if constexpr (GjkCore<B>::has_offset) {
+      w -= b_.offset(q);
+    }
+    return w;
+  }
+  void append(const KeyA& p, const KeyB& q, const Vector3<S>& w) {
+    of_a_[at(count_)] = p;
+    of_b_[at(count_)] = q;
+    w_[at(count_)] = w;
+    ++count_;
+  }
+  bool has(const KeyA& p, const KeyB& q, const Vector3<S>& w) const;
+  void begin(const GjkStart<S>& start);
+  void solve() {
+    closest_ = exactly_ ? closest_of_simplex_exactly(w_, count_) : closest_of_simplex(w_, count_);
+    squared_ = closest_.point.dot(closest_.point);
+  }
+  void reduce();
+  S tolerance_squared() const {
+    constexpr S room = S(16) * tolerance::unit_roundoff<S>;
+    return room * room * largest_squared_;
+  }
+  bool confirmed() const;
+  bool improve_exactly();
+};
+
+template <ConvexBody A, ConvexBody B, class Record>
+bool GjkLoop<A, B, Record>::has(const KeyA& p, const KeyB& q, const Vector3<S>& w) const {
+  for (int i = 0; i < count_; ++i) {
+    if constexpr (PolytopeCore<A> && PolytopeCore<B>) {
+      if (of_a_[at(i)] == p && of_b_[at(i)] == q) return true;
+    } else {
+      if (w_[at(i)] == w) return true;
+    }
+  }
+  return false;
+}
+
+// [gjk-begin]
+template <ConvexBody A, ConvexBody B, class Record>
+void GjkLoop<A, B, Record>::begin(const GjkStart<S>& start) {
+  if constexpr (PolytopeCore<A> && PolytopeCore<B>) {
+    const int of_a = vertex_count(body_a_), of_b = vertex_count(body_b_);
+    for (int i = 0; i < std::min(start.count, 4); ++i) {
+      const int p = start.a[at(i)], q = start.b[at(i)];
+      if (p < 0 || q < 0 || p >= of_a || q >= of_b) continue;
+      append(p, q, difference(p, q));
+      largest_squared_ = std::max(largest_squared_, w_[at(i)].dot(w_[at(i)]));
+    }
+  }
+  if (count_ == 0) {
+    Vector3<S> direction = start.direction;
+    if (direction == Vector3<S>::Zero()) direction = inner_point(body_a_) - inner_point(body_b_);
+    const KeyA p = a_.farthest(-direction);
+    const KeyB q = b_.farthest(direction);
+    append(p, q, difference(p, q));
+    largest_squared_ = w_[0].dot(w_[0]);
+    iterations_ = 1;
+  }
+}
+// [/gjk-begin]
+
+/// Leaves only the vertices of the face with the closest point.
+template <ConvexBody A, ConvexBody B, class Record>
+void GjkLoop<A, B, Record>::reduce() {
+  int kept = 0;
+  for (int i = 0; i < count_; ++i) {
+    if ((closest_.face >> i & 1U) == 0) continue;
+    if (kept != i) {
+      w_[at(kept)] = w_[at(i)];
+      of_a_[at(kept)] = of_a_[at(i)];
+      of_b_[at(kept)] = of_b_[at(i)];
+      closest_.weights[at(kept)] = closest_.weights[at(i)];
+    }
+    ++kept;
+  }
+  count_ = kept;
+  closest_.face = (1U << kept) - 1;
+}
+
+/// Whether the weights give the closest point: of thin simplices rounding may have made another.
+template <ConvexBody A, ConvexBody B, class Record>
+bool GjkLoop<A, B, Record>::confirmed() const {
+  Vector3<S> sum = Vector3<S>::Zero();
+  for (int i = 0; i < count_; ++i) sum += w_[at(i)] * closest_.weights[at(i)];
+  const Vector3<S> off = sum - closest_.point;
+  return off.dot(off) <= tolerance_squared();
+}
+
+/// Solves the simplex without rounding, from now on.
+/// @return false if that had been done already
+template <ConvexBody A, ConvexBody B, class Record>
+bool GjkLoop<A, B, Record>::improve_exactly() {
+  if (exactly_) return false;
+  exactly_ = true;
+  solve();
+  reduce();
+  return true;
+}
+
+// [gjk-loop]
+template <ConvexBody A, ConvexBody B, class Record>
+bool GjkLoop<A, B, Record>::run(const GjkStart<S>& start) {
+  begin(start);
+  const auto in_range = [this] {
+    return largest_squared_ <= longest_length<S> * longest_length<S>;
+  };
+  if (!in_range()) return false;
+  solve();
+  reduce();
+  for (;;) {
+    if (squared_ <= tolerance_squared()) {  // the origin, up to rounding
+      if (confirmed() || !improve_exactly()) {
+        converged_ = true;
+        break;
+      }
+      continue;
+    }
+    const KeyA p = a_.farthest(-closest_.point);
+    const KeyB q = b_.farthest(closest_.point);
+    const Vector3<S> w = difference(p, q);
+    record_(w_, count_, closest_.point, w);
+    ++iterations_;
+    lowest_along_ = w.dot(closest_.point);
+    const S gap = squared_ - lowest_along_;
+    largest_squared_ = std::max(largest_squared_, w.dot(w));
+    if (!in_range()) return false;
+    if (!(gap > S(0)) || gap * gap <= tolerance_squared() * squared_) {
+      if (confirmed() || !improve_exactly()) {
+        converged_ = true;
+        break;
+      }
+      continue;
+    }
+    if (iterations_ >= max_iterations) break;
+    if (has(p, q, w)) {
+      if (!improve_exactly()) break;
+      continue;
+    }
+    const S before = squared_;
+    append(p, q, w);
+    solve();
+    const bool closer = squared_ < before, last = !closer && exactly_;
+    if (!closer && !exactly_) {
+      exactly_ = true;
+      solve();
+    }
+    reduce();
+    if (last) break;
+  }
+  return !(largest_squared_ < shortest_length<S> * shortest_length<S>) || largest_squared_ == S(0);
+}
+// [/gjk-loop]
+
+template <ConvexBody A, ConvexBody B, class Record>
+GjkResult<ScalarOf<A>> GjkLoop<A, B, Record>::result() const {
+  GjkResult<S> found;
+  // + 0 makes 0 of −0.
+  found.between = closest_.point + Vector3<S>::Zero();
+  found.distance = std::sqrt(squared_);
+  if (lowest_along_ > S(0)) found.lower = std::min(found.distance, lowest_along_ / found.distance);
+  found.count = count_;
+  found.iterations = iterations_;
+  found.converged = converged_;
+  for (int i = 0; i < count_; ++i) {
+    GjkVertex<S>& v = found.simplex[at(i)];
+    v.difference = w_[at(i)];
+    v.of_a = a_.base(of_a_[at(i)]) + a_.offset(of_a_[at(i)]);
+    v.of_b = b_.base(of_b_[at(i)]) + b_.offset(of_b_[at(i)]);
+    if constexpr (PolytopeCore<A>) v.a = of_a_[at(i)];
+    if constexpr (PolytopeCore<B>) v.b = of_b_[at(i)];
+    found.weights[at(i)] = closest_.weights[at(i)];
+    found.on_a += v.of_a * found.weights[at(i)];
+    found.on_b += v.of_b * found.weights[at(i)];
+  }
+  return found;
+}
+
+/// A result whose lengths are multiplied by 2^power.
+template <FloatOrDouble S>
+void multiply_by_power_of_two(GjkResult<S>& found, int power) {
+  const auto times = [power](Vector3<S>& v) {
+    for (int i = 0; i < 3; ++i) v(i) = std::ldexp(v(i), power);
+  };
+  found.distance = std::ldexp(found.distance, power);
+  found.lower = std::ldexp(found.lower, power);
+  for (Vector3<S>* v : {&found.between, &found.on_a, &found.on_b}) times(*v);
+  for (GjkVertex<S>& v : found.simplex) {
+    for (Vector3<S>* x : {&v.difference, &v.of_a, &v.of_b}) times(*x);
+  }
+}
+
+/// A step whose lengths are multiplied by 2^power.
+template <FloatOrDouble S>
+void multiply_by_power_of_two(GjkStep<S>& step, int power) {
+  const auto times = [power](Vector3<S>& v) {
+    for (int i = 0; i < 3; ++i) v(i) = std::ldexp(v(i), power);
+  };
+  for (int i = 0; i < step.count; ++i) times(step.vertices[static_cast<std::size_t>(i)]);
+  times(step.closest);
+  times(step.next);
+}
+
+/// GJK with a function that is told each step and by which power of two its lengths are multiplied.
+template <ConvexBody A, ConvexBody B, class Record>
+GjkResult<ScalarOf<A>> gjk_recorded(const A& a, const B& b, const GjkStart<ScalarOf<A>>& start,
+                                    const Record& record) {
+  using S = ScalarOf<A>;
+  {
+    const auto told = [&record](const auto&... step) { record(0, step...); };
+    GjkLoop<A, B, decltype(told)> loop(a, b, told);
+    if (loop.run(start)) return loop.result();
+  }
+  const S of_a = largest_number(a), of_b = largest_number(b);
+  GjkResult<S> nothing;
+  nothing.distance = nothing.lower = std::numeric_limits<S>::infinity();
+  if (!std::isfinite(of_a) || !std::isfinite(of_b)) return nothing;
+  int power = 0;
+  std::frexp(std::max(of_a, of_b), &power);
+  power += 3;  // a box reaches at most six times as far
+  const A small_a = times_power_of_two(a, -power);
+  const B small_b = times_power_of_two(b, -power);
+  const auto told = [&record, power](const auto&... step) { record(power, step...); };
+  GjkLoop<A, B, decltype(told)> loop(small_a, small_b, told);
+  GjkStart<S> same = start;
+  same.direction = detail::unit_of_any_size<S>(start.direction);
+  loop.run(same);
+  GjkResult<S> found = loop.result();
+  multiply_by_power_of_two(found, power);
+  return found;
+}
+
+}  // namespace gjk_detail
+
+// [gjk]
+/// The closest points and the distance of the cores of two bodies, rounded.
+template <ConvexBody A, ConvexBody B>
+requires std::same_as<ScalarOf<A>, ScalarOf<B>> GjkResult<ScalarOf<A>> gjk(
+    const A& a, const B& b, const GjkStart<ScalarOf<A>>& start = {}) {
+  return gjk_detail::gjk_recorded(a, b, start, [](const auto&...) {});
+}
+// [/gjk]
+
+/// The steps of gjk() on two bodies.
+template <ConvexBody A, ConvexBody B>
+requires std::same_as<ScalarOf<A>, ScalarOf<B>> std::vector<GjkStep<ScalarOf<A>>> gjk_steps(
+    const A& a, const B& b) {
+  using S = ScalarOf<A>;
+  std::vector<GjkStep<S>> steps;
+  int multiplied_by = 0;
+  const auto record = [&](int power, const FourPoints<S>& w, int count, const Vector3<S>& closest,
+                          const Vector3<S>& next) {
+    if (power != multiplied_by) steps.clear();
+    multiplied_by = power;
+    GjkStep<S> step{count, w, closest, next};
+    gjk_detail::multiply_by_power_of_two(step, power);
+    steps.push_back(step);
+  };
+  gjk_detail::gjk_recorded(a, b, {}, record);
+  return steps;
+}
+
+}  // namespace contact
