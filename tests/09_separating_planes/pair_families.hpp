@@ -119,7 +119,7 @@ inline Body body(Random& random, Kind kind, const Frame& frame) {
 
 // Contacts -----------------------------------------------------------------------------------
 
-/// Directions that a body has: along its edges or axes, and across its faces.
+/// Directions that a body has: along its edges or axes, and perpendicular to its faces.
 inline std::vector<V> directions(const Body& body) {
   struct Of {
     std::vector<V> operator()(const contact::Sphere<double>&) const { return {}; }
@@ -150,7 +150,7 @@ inline std::vector<V> directions(const Body& body) {
   return std::visit(Of{}, body);
 }
 
-/// A direction along which two bodies may touch: any, across a face of one of them, or
+/// A direction along which two bodies may touch: any, perpendicular to a face of one of them, or
 /// perpendicular to an edge or axis of each.
 inline V contact_direction(Random& random, const Body& a, const Body& b) {
   const std::vector<V> of_a = directions(a), of_b = directions(b);
@@ -171,8 +171,8 @@ inline V contact_direction(Random& random, const Body& a, const Body& b) {
   return n / (opposite ? -length : length);
 }
 
-/// A point of a body that is farthest along a unit vector n up to rounding: of a face or an edge
-/// across n, any.
+/// A point of a body that is farthest along a unit vector n up to rounding: any of a face or an
+/// edge that is perpendicular to n.
 inline V farthest(Random& random, const Body& body, const V& n) {
   return std::visit(
       [&](const auto& b) -> V {
@@ -320,7 +320,8 @@ inline Pair pair(Random& random, Kind kind_a, Kind kind_b, Family family) {
   }
 }
 
-/// Any body and a half-space: across a face or any direction, touching but for an ulp, or near.
+/// Any body and a half-space: perpendicular to a face, or in any direction, touching but for an
+/// ulp, or near.
 inline std::pair<Body, contact::HalfSpace<double>> with_half_space(Random& random, Kind kind,
                                                                    Family family) {
   const Pair made = pair(random, kind, Kind::sphere, family);
