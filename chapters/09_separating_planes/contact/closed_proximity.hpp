@@ -1,6 +1,8 @@
 /// @file
 /// Disjoint, touching or overlapping: which of the three holds for two spheres, capsules, boxes or
 /// half-spaces, decided exactly for the stored numbers by closed forms.
+///
+/// A body with a number that is not finite is undecided with every other.
 #pragma once
 
 #include <algorithm>
@@ -10,32 +12,18 @@
 #include <vector>
 
 #include <contact/box_axes.hpp>
+#include <contact/box_proximity.hpp>
 #include <contact/closest_points.hpp>
 #include <contact/convex_shapes.hpp>
 #include <contact/exact_distance.hpp>
 #include <contact/exact_fraction.hpp>
+#include <contact/proximity_cases.hpp>
 #include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
 
-// [proximity]
-/// How two convex bodies lie to each other.
-enum class Proximity {
-  disjoint,     ///< they have no common point: a plane separates them strictly
-  touching,     ///< they have common points, and a plane has A on one side and B on the other
-  overlapping,  ///< no plane separates them, not even one that both touch
-  undecided  ///< neither was proved: only for cylinders and ellipsoids, with bounds of the distance
-};
-// [/proximity]
-
 namespace detail {
-
-/// The case that the sign of a signed distance stands for.
-inline Proximity proximity_of_sign(int sign) {
-  if (sign == 0) return Proximity::touching;
-  return sign > 0 ? Proximity::disjoint : Proximity::overlapping;
-}
 
 inline ExactFraction fraction(double x) { return ExactFraction(x); }
 inline Vector3<ExactFraction> fractions(const Vector3<double>& v) {
@@ -79,6 +67,11 @@ inline Extent extent_along(const OrientedBox<double>& box, const Vector3<double>
       box.centre.cwiseAbs() + Vector3<double>(box.axes.cwiseAbs() * box.half_lengths);
   return {middle - reach, middle + reach, n.cwiseAbs().dot(far)};
 }
+
+/// What closest_points() takes of a body.
+inline Segment<double> core_of(const Sphere<double>& s) { return {s.centre, s.centre}; }
+inline const Segment<double>& core_of(const Capsule<double>& c) { return c.core; }
+inline const OrientedBox<double>& core_of(const OrientedBox<double>& box) { return box; }
 
 /// Bound on the error of a computed point of the core: γ(12) of its absolute terms.
 inline double core_slack(const Capsule<double>& c) {
@@ -129,6 +122,7 @@ inline Proximity proximity(const Capsule<double>& a, const Capsule<double>& b) {
   if (detail::in_filter_range(reach) && distance < reach * (1 - 0x1p-48)) {
     return Proximity::overlapping;
   }
+  if (!detail::is_finite_body(a) || !detail::is_finite_body(b)) return Proximity::undecided;
   const ExactFraction radius = detail::fraction(a.radius) + detail::fraction(b.radius);
   const ExactFraction squared =
       exact_squared_distance(detail::fractions(a.core), detail::fractions(b.core));
@@ -147,6 +141,7 @@ inline Proximity proximity(const Capsule<double>& a, const OrientedBox<double>& 
   if (detail::in_filter_range(a.radius) && distance < a.radius * (1 - 0x1p-48)) {
     return Proximity::overlapping;
   }
+  if (!detail::is_finite_body(a) || !detail::is_finite_body(b)) return Proximity::undecided;
   const auto core = detail::fractions(a.core);
   const auto box = detail::fractions(b);
   const ExactFraction radius = detail::fraction(a.radius);
@@ -174,6 +169,7 @@ inline Proximity proximity(const Sphere<double>& a, const Sphere<double>& b) {
   if (detail::in_filter_range(squared + reach * reach) && std::abs(value) > room) {
     return value > 0 ? Proximity::disjoint : Proximity::overlapping;
   }
+  if (!detail::is_finite_body(a) || !detail::is_finite_body(b)) return Proximity::undecided;
   const Vector3<Exact> exact = exact_vector<double>(a.centre) - exact_vector<double>(b.centre);
   const Exact sum = Exact(a.radius) + Exact(b.radius);
   return detail::proximity_of_sign((exact.dot(exact) - sum * sum).sign());
@@ -200,19 +196,13 @@ inline Proximity proximity(const OrientedBox<double>& a, const Sphere<double>& b
 /// Which of the three cases holds for two boxes, by the separating axis theorem (SAT).
 ///
 /// The differences a − b of their points (Minkowski difference) form a polyhedron whose face
-/// normals are among the fifteen axes. So the boxes are separated if the separation along one axis
-/// is positive, touch if the largest separation is 0, and collide otherwise. Every sign is exact: a
-/// floating-point filter decides if its bound allows it, exact arithmetic otherwise. Axes of
-/// parallel edges are left out if they are exactly 0; those of nearly parallel edges are axes like
-/// all others.
+/// normals are among the fifteen axes. So the boxes are disjoint if the separation along one axis
+/// is positive, touch if the largest is 0, and overlap otherwise. A floating-point filter with one
+/// bound for all axes decides if it can; otherwise every sign is exact. Axes of parallel edges are
+/// left out if they are exactly 0; those of nearly parallel edges are axes like all others.
+/// @return undecided if a number is not finite
 inline Proximity proximity(const OrientedBox<double>& a, const OrientedBox<double>& b) {
-  bool touching = false;
-  for (int k = 0; k < box_axis_count; ++k) {
-    const int sign = detail::sign_of_separation(a, b, k);
-    if (sign == 1) return Proximity::disjoint;
-    if (sign == 0) touching = true;
-  }
-  return touching ? Proximity::touching : Proximity::overlapping;
+  return detail::box_decision(a, b).state;
 }
 // [/boxes]
 
@@ -239,6 +229,9 @@ inline Proximity proximity(const std::vector<Vector3<double>>& points, double ra
                            const HalfSpace<double>& b) {
   const Vector3<double>& n = b.boundary.normal;
   const double length = std::sqrt(n.dot(n));
+  bool finite = std::isfinite(radius) && detail::is_finite_body(b);
+  for (const Vector3<double>& p : points) finite = finite && all_finite(p);
+  if (!finite) return Proximity::undecided;
   int least = 1;
   for (const Vector3<double>& p : points) {
     const double value = n.dot(p) - b.boundary.offset - radius * length;
@@ -272,6 +265,7 @@ inline Proximity proximity(const OrientedBox<double>& a, const HalfSpace<double>
   if (detail::in_filter_range(size) && std::abs(value) > tolerance::gamma<double>(16) * size) {
     return value > 0 ? Proximity::disjoint : Proximity::overlapping;
   }
+  if (!detail::is_finite_body(a) || !detail::is_finite_body(b)) return Proximity::undecided;
   const Vector3<Exact> exact = exact_vector<double>(n);
   Exact lowest = exact.dot(exact_vector<double>(a.centre)) - Exact(b.boundary.offset);
   for (int i = 0; i < 3; ++i) {
@@ -295,39 +289,21 @@ inline Proximity proximity(const HalfSpace<double>& a, const OrientedBox<double>
 // [/half-space]
 
 // [witness]
-/// A direction that separated two bodies in an earlier step (temporal coherence). It is all that is
-/// stored between steps, and losing it costs only time.
+/// What separated two bodies in an earlier step (temporal coherence). It is all that is stored
+/// between steps, and losing it costs only time.
 struct SeparatingWitness {
   Vector3<double> axis = Vector3<double>::Zero();  ///< from B to A, of any length; 0: none yet
+  int box_axis = -1;  ///< of two boxes: which of the fifteen axes; −1: none yet
 };
 
-/// The first candidate for a separating direction, in floating point.
+/// The first candidate for a separating direction, in floating point: from the closest point of B
+/// to that of A.
 template <class A, class B>
 Vector3<double> likely_axis(const A& a, const B& b) {
-  const ClosestPoints<double> near = closest_points<double>(a, b);
+  const ClosestPoints<double> near = closest_points<double>(detail::core_of(a), detail::core_of(b));
   return near.on_a - near.on_b;
 }
-/// For two centres.
-inline Vector3<double> likely_axis(const Sphere<double>& a, const Sphere<double>& b) {
-  return a.centre - b.centre;
-}
-/// For two segments.
-inline Vector3<double> likely_axis(const Capsule<double>& a, const Capsule<double>& b) {
-  return likely_axis(a.core, b.core);
-}
-/// For a segment and a box.
-inline Vector3<double> likely_axis(const Capsule<double>& a, const OrientedBox<double>& b) {
-  return likely_axis(a.core, b);
-}
-/// For a centre and a segment.
-inline Vector3<double> likely_axis(const Sphere<double>& a, const Capsule<double>& b) {
-  return likely_axis(as_capsule(a), b);
-}
-/// For a centre and a box.
-inline Vector3<double> likely_axis(const Sphere<double>& a, const OrientedBox<double>& b) {
-  return likely_axis(as_capsule(a), b);
-}
-/// Of the fifteen axes the one with the largest separation relative to its length.
+/// For two boxes: of the fifteen axes the one with the largest separation relative to its length.
 inline Vector3<double> likely_axis(const OrientedBox<double>& a, const OrientedBox<double>& b) {
   Vector3<double> best = Vector3<double>::Zero();
   double largest = -std::numeric_limits<double>::infinity();
@@ -344,18 +320,28 @@ inline Vector3<double> likely_axis(const OrientedBox<double>& a, const OrientedB
   return best;
 }
 
-/// The same result as proximity(a, b), faster if the bodies are separated as before.
+/// The same result as proximity(a, b), faster if the bodies are disjoint as before.
 ///
-/// The witness is tested first. If it certainly separates them, they are separated: that is a
-/// proof, and the exact proximity() would agree. Otherwise proximity() decides. So the result
-/// never depends on the witness.
-/// @param witness is replaced if the bodies are separated along another direction
+/// The witness is tested first. If it certainly separates them, they are disjoint: that is a proof,
+/// and the exact proximity() would agree. Otherwise proximity() decides. So the result never
+/// depends on the witness.
+/// @param witness is replaced if the bodies are disjoint along another direction
 template <class A, class B>
 Proximity proximity_with_witness(const A& a, const B& b, SeparatingWitness& witness) {
   if (surely_separates(a, b, witness.axis)) return Proximity::disjoint;
   const Proximity answer = proximity(a, b);
   if (answer == Proximity::disjoint) witness.axis = likely_axis(a, b);
   return answer;
+}
+/// For two boxes the witness is the index of an axis, which rotates with the boxes.
+inline Proximity proximity_with_witness(const OrientedBox<double>& a, const OrientedBox<double>& b,
+                                        SeparatingWitness& witness) {
+  if (witness.box_axis >= 0 && detail::box_axis_separates(a, b, witness.box_axis)) {
+    return Proximity::disjoint;
+  }
+  const detail::BoxDecision decision = detail::box_decision(a, b);
+  if (decision.state == Proximity::disjoint) witness.box_axis = decision.axis;
+  return decision.state;
 }
 // [/witness]
 
