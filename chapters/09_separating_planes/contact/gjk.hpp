@@ -52,6 +52,7 @@ struct GjkStart {
   Vector3<S> direction = Vector3<S>::Zero();  ///< from B to A, of any length; 0: unknown
   int count = 0;                              ///< vertices of the simplex; 0: none is known
   std::array<int, 4> a{}, b{};                ///< which vertices of the cores of A and of B
+  S accuracy = S(0);  ///< ends once distance − lower is at most this, m; 0: as far as possible
 };
 // [/gjk-result]
 
@@ -123,21 +124,24 @@ class GjkLoop {
   S lowest_along_ = S(0);     // the smallest w · closest of A − B
   S largest_squared_ = S(0);  // of all w
   int iterations_ = 0;
-  bool exactly_ = false;  // whether simplices are solved without rounding
+  S accuracy_squared_ = S(0);
+  bool exactly_ = false;  // whether the simplex was solved without rounding
+  S least_squared_ = std::numeric_limits<S>::infinity();  // |closest|² of those that were
   bool converged_ = false;
 
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   Vector3<S> difference(const KeyA& p, const KeyB& q) const {
-    Vector3<S> w = a_.base(p) - b_.base(q);
+    const Vector3<S> w = minus<S>(a_.base(p), b_.base(q));
     if constexpr (GjkCore<A>::has_offset && GjkCore<B>::has_offset) {
-      w += a_.offset(p) - b_.offset(q);
+      return plus<S>(w, S(1), minus<S>(a_.offset(p), b_.offset(q)));
     } else if constexpr (GjkCore<A>::has_offset) {
-      w += a_.offset(p);
+      return plus<S>(w, S(1), a_.offset(p));
     } else if constexpr (GjkCore<B>::has_offset) {
-      w -= b_.offset(q);
+      return minus<S>(w, b_.offset(q));
+    } else {
+      return w;
     }
-    return w;
   }
   void append(const KeyA& p, const KeyB& q, const Vector3<S>& w) {
     of_a_[at(count_)] = p;
@@ -148,12 +152,14 @@ class GjkLoop {
   bool has(const KeyA& p, const KeyB& q, const Vector3<S>& w) const;
   void begin(const GjkStart<S>& start);
   void solve() {
-    closest_ = exactly_ ? closest_of_simplex_exactly(w_, count_) : closest_of_simplex(w_, count_);
-    squared_ = closest_.point.dot(closest_.point);
+    closest_ = closest_of_simplex(w_, count_);
+    squared_ = dot3<S>(closest_.point, closest_.point);
+    exactly_ = false;
   }
+  bool solve_exactly();
   void reduce();
   S tolerance_squared() const {
-    constexpr S room = S(16) * tolerance::unit_roundoff<S>;
+    constexpr S room = S(SmoothBody<A> || SmoothBody<B> ? 128 : 16) * tolerance::unit_roundoff<S>;
     return room * room * largest_squared_;
   }
   bool confirmed() const;
@@ -181,7 +187,7 @@ void GjkLoop<A, B, Record>::begin(const GjkStart<S>& start) {
       const int p = start.a[at(i)], q = start.b[at(i)];
       if (p < 0 || q < 0 || p >= of_a || q >= of_b) continue;
       append(p, q, difference(p, q));
-      largest_squared_ = std::max(largest_squared_, w_[at(i)].dot(w_[at(i)]));
+      largest_squared_ = std::max(largest_squared_, dot3<S>(w_[at(i)], w_[at(i)]));
     }
   }
   if (count_ == 0) {
@@ -190,7 +196,7 @@ void GjkLoop<A, B, Record>::begin(const GjkStart<S>& start) {
     const KeyA p = a_.farthest(-direction);
     const KeyB q = b_.farthest(direction);
     append(p, q, difference(p, q));
-    largest_squared_ = w_[0].dot(w_[0]);
+    largest_squared_ = dot3<S>(w_[0], w_[0]);
     iterations_ = 1;
   }
 }
@@ -218,71 +224,65 @@ void GjkLoop<A, B, Record>::reduce() {
 template <ConvexBody A, ConvexBody B, class Record>
 bool GjkLoop<A, B, Record>::confirmed() const {
   Vector3<S> sum = Vector3<S>::Zero();
-  for (int i = 0; i < count_; ++i) sum += w_[at(i)] * closest_.weights[at(i)];
-  const Vector3<S> off = sum - closest_.point;
-  return off.dot(off) <= tolerance_squared();
+  for (int i = 0; i < count_; ++i) sum = plus<S>(sum, closest_.weights[at(i)], w_[at(i)]);
+  const Vector3<S> off = minus(sum, closest_.point);
+  return dot3<S>(off, off) <= tolerance_squared();
 }
 
-/// Solves the simplex without rounding, from now on.
-/// @return false if that had been done already
+/// Solves the simplex without rounding.
+/// @return whether its point is closer than that of any simplex that was solved so before; since
+/// these are finitely many numbers, this ends
 template <ConvexBody A, ConvexBody B, class Record>
-bool GjkLoop<A, B, Record>::improve_exactly() {
-  if (exactly_) return false;
+bool GjkLoop<A, B, Record>::solve_exactly() {
+  closest_ = closest_of_simplex_exactly(w_, count_);
+  squared_ = dot3<S>(closest_.point, closest_.point);
   exactly_ = true;
-  solve();
-  reduce();
-  return true;
+  const bool closer = squared_ < least_squared_;
+  if (closer) least_squared_ = squared_;
+  return closer;
 }
 
 // [gjk-loop]
 template <ConvexBody A, ConvexBody B, class Record>
 bool GjkLoop<A, B, Record>::run(const GjkStart<S>& start) {
   begin(start);
+  accuracy_squared_ = start.accuracy * start.accuracy;
   const auto in_range = [this] {
     return largest_squared_ <= longest_length<S> * longest_length<S>;
   };
   if (!in_range()) return false;
   solve();
   reduce();
-  for (;;) {
-    if (squared_ <= tolerance_squared()) {  // the origin, up to rounding
-      if (confirmed() || !improve_exactly()) {
-        converged_ = true;
-        break;
+  while (iterations_ < max_iterations) {
+    bool done = squared_ <= tolerance_squared(), stuck = false;
+    if (!done) {
+      const KeyA p = a_.farthest(times<S>(S(-1), closest_.point));
+      const KeyB q = b_.farthest(closest_.point);
+      const Vector3<S> w = difference(p, q);
+      record_(w_, count_, closest_.point, w);
+      ++iterations_;
+      largest_squared_ = std::max(largest_squared_, dot3<S>(w, w));
+      if (!in_range()) return false;
+      lowest_along_ = dot3<S>(w, closest_.point);
+      const S gap = squared_ - lowest_along_, before = squared_;
+      done =
+          !(gap > S(0)) || gap * gap <= std::max(tolerance_squared(), accuracy_squared_) * squared_;
+      stuck = !done && has(p, q, w);
+      if (!done && !stuck) {
+        append(p, q, w);
+        solve();
+        stuck = !(squared_ < before);
+        if (!stuck) reduce();
       }
-      continue;
     }
-    const KeyA p = a_.farthest(-closest_.point);
-    const KeyB q = b_.farthest(closest_.point);
-    const Vector3<S> w = difference(p, q);
-    record_(w_, count_, closest_.point, w);
-    ++iterations_;
-    lowest_along_ = w.dot(closest_.point);
-    const S gap = squared_ - lowest_along_;
-    largest_squared_ = std::max(largest_squared_, w.dot(w));
-    if (!in_range()) return false;
-    if (!(gap > S(0)) || gap * gap <= tolerance_squared() * squared_) {
-      if (confirmed() || !improve_exactly()) {
-        converged_ = true;
-        break;
-      }
-      continue;
+    if (done && (exactly_ || confirmed())) {
+      converged_ = true;
+      break;
     }
-    if (iterations_ >= max_iterations) break;
-    if (has(p, q, w)) {
-      if (!improve_exactly()) break;
-      continue;
-    }
-    const S before = squared_;
-    append(p, q, w);
-    solve();
-    const bool closer = squared_ < before, last = !closer && exactly_;
-    if (!closer && !exactly_) {
-      exactly_ = true;
-      solve();
-    }
+    if (!done && !stuck) continue;
+    const bool closer = !exactly_ && solve_exactly();
     reduce();
-    if (last) break;
+    if (!closer) break;
   }
   return !(largest_squared_ < shortest_length<S> * shortest_length<S>) || largest_squared_ == S(0);
 }
@@ -301,13 +301,13 @@ GjkResult<ScalarOf<A>> GjkLoop<A, B, Record>::result() const {
   for (int i = 0; i < count_; ++i) {
     GjkVertex<S>& v = found.simplex[at(i)];
     v.difference = w_[at(i)];
-    v.of_a = a_.base(of_a_[at(i)]) + a_.offset(of_a_[at(i)]);
-    v.of_b = b_.base(of_b_[at(i)]) + b_.offset(of_b_[at(i)]);
+    v.of_a = plus<S>(a_.base(of_a_[at(i)]), S(1), a_.offset(of_a_[at(i)]));
+    v.of_b = plus<S>(b_.base(of_b_[at(i)]), S(1), b_.offset(of_b_[at(i)]));
     if constexpr (PolytopeCore<A>) v.a = of_a_[at(i)];
     if constexpr (PolytopeCore<B>) v.b = of_b_[at(i)];
     found.weights[at(i)] = closest_.weights[at(i)];
-    found.on_a += v.of_a * found.weights[at(i)];
-    found.on_b += v.of_b * found.weights[at(i)];
+    found.on_a = plus<S>(found.on_a, found.weights[at(i)], v.of_a);
+    found.on_b = plus<S>(found.on_b, found.weights[at(i)], v.of_b);
   }
   return found;
 }
@@ -360,6 +360,7 @@ GjkResult<ScalarOf<A>> gjk_recorded(const A& a, const B& b, const GjkStart<Scala
   GjkLoop<A, B, decltype(told)> loop(small_a, small_b, told);
   GjkStart<S> same = start;
   same.direction = detail::unit_of_any_size<S>(start.direction);
+  same.accuracy = std::ldexp(start.accuracy, -power);
   loop.run(same);
   GjkResult<S> found = loop.result();
   multiply_by_power_of_two(found, power);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <contact/gjk_simplex.hpp>
 #include <contact/support.hpp>
 #include <contact/vector.hpp>
 #include <limits>
@@ -52,14 +53,14 @@ class GjkCore<OrientedBox<Scalar>> {
     }
   }
   Key farthest(const Vector3<S>& n) const {
-    return (n.dot(half_edges_[0]) > S(0) ? 1 : 0) | (n.dot(half_edges_[1]) > S(0) ? 2 : 0) |
-           (n.dot(half_edges_[2]) > S(0) ? 4 : 0);
+    return (dot3(n, half_edges_[0]) > S(0) ? 1 : 0) | (dot3(n, half_edges_[1]) > S(0) ? 2 : 0) |
+           (dot3(n, half_edges_[2]) > S(0) ? 4 : 0);
   }
   const Vector3<S>& base(Key) const { return centre_; }
   Vector3<S> offset(Key key) const {
     const S x = (key & 1) != 0 ? S(1) : S(-1), y = (key & 2) != 0 ? S(1) : S(-1),
             z = (key & 4) != 0 ? S(1) : S(-1);
-    return half_edges_[0] * x + half_edges_[1] * y + half_edges_[2] * z;
+    return plus(plus(times(x, half_edges_[0]), y, half_edges_[1]), z, half_edges_[2]);
   }
 
  private:
@@ -78,7 +79,7 @@ class GjkCore<Lozenge<Scalar>> {
   Key farthest(const Vector3<S>& n) const { return support_vertex(body_, n); }
   const Vector3<S>& base(Key) const { return body_.corner; }
   Vector3<S> offset(Key key) const {
-    return body_.first_edge * S(key & 1) + body_.second_edge * S(key >> 1);
+    return plus(times(S(key & 1), body_.first_edge), S(key >> 1), body_.second_edge);
   }
 
  private:
@@ -96,11 +97,11 @@ class GjkCore<Cylinder<Scalar>> {
       : body_(body),
         axis_(detail::unit_of_any_size<S>(Vector3<S>(body.core.end - body.core.start))) {}
   Key farthest(const Vector3<S>& n) const {
-    const S along = axis_.dot(n);
-    const Vector3<S> across = n - axis_ * along;
-    const S length = std::sqrt(across.dot(across));
+    const S along = dot3(axis_, n);
+    const Vector3<S> across = plus<S>(n, -along, axis_);
+    const S length = std::sqrt(dot3(across, across));
     return {along > S(0) ? body_.core.end : body_.core.start,
-            length > S(0) ? Vector3<S>(across * (body_.radius / length)) : across};
+            length > S(0) ? times<S>(body_.radius / length, across) : across};
   }
   const Vector3<S>& base(const Key& key) const { return key.base; }
   const Vector3<S>& offset(const Key& key) const { return key.offset; }
@@ -117,19 +118,25 @@ class GjkCore<Ellipsoid<Scalar>> {
   using S = Scalar;
   using Key = BaseAndOffset<S>;
   static constexpr bool has_offset = true;
-  explicit GjkCore(const Ellipsoid<S>& body)
-      : centre_(body.centre), image_(body.axes * body.half_lengths.asDiagonal()) {}
+  explicit GjkCore(const Ellipsoid<S>& body) : centre_(body.centre) {
+    for (int i = 0; i < 3; ++i) {
+      image_[static_cast<std::size_t>(i)] = body.axes.col(i) * body.half_lengths(i);
+    }
+  }
   Key farthest(const Vector3<S>& n) const {
-    const Vector3<S> turned = image_.transpose() * n;
-    const S length = std::sqrt(turned.dot(turned));
-    return {centre_, length > S(0) ? Vector3<S>(image_ * Vector3<S>(turned / length)) : turned};
+    const Vector3<S> turned(dot3(image_[0], n), dot3(image_[1], n), dot3(image_[2], n));
+    const S length = std::sqrt(dot3(turned, turned));
+    if (!(length > S(0))) return {centre_, Vector3<S>::Zero()};
+    const Vector3<S> on_ball = times<S>(S(1) / length, turned);
+    return {centre_, plus(plus(times<S>(on_ball[0], image_[0]), S(on_ball[1]), image_[1]),
+                          S(on_ball[2]), image_[2])};
   }
   const Vector3<S>& base(const Key& key) const { return key.base; }
   const Vector3<S>& offset(const Key& key) const { return key.offset; }
 
  private:
   Vector3<S> centre_;
-  Matrix3<S> image_;
+  std::array<Vector3<S>, 3> image_;  // of the axes of the ball
 };
 // [/gjk-cores]
 

@@ -10,6 +10,7 @@
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/products.hpp>
 #include <contact/running_error.hpp>
+#include <contact/support.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
 
@@ -32,10 +33,26 @@ struct SimplexPoint {
 
 namespace gjk_detail {
 
+using detail::dot3;
+
+/// x + s y, x − y and s x, written out as dot3().
+template <Ring S>
+Vector3<S> plus(const Vector3<S>& x, const S& s, const Vector3<S>& y) {
+  return {x[0] + s * y[0], x[1] + s * y[1], x[2] + s * y[2]};
+}
+template <Ring S>
+Vector3<S> minus(const Vector3<S>& x, const Vector3<S>& y) {
+  return {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+}
+template <Ring S>
+Vector3<S> times(const S& s, const Vector3<S>& x) {
+  return {s * x[0], s * x[1], s * x[2]};
+}
+
 /// The smaller of two candidates: that with the closer point.
 template <FloatOrDouble S>
 const SimplexPoint<S>& closer(const SimplexPoint<S>& p, const SimplexPoint<S>& q) {
-  return q.point.dot(q.point) < p.point.dot(p.point) ? q : p;
+  return dot3(q.point, q.point) < dot3(p.point, p.point) ? q : p;
 }
 
 template <FloatOrDouble S>
@@ -53,20 +70,20 @@ SimplexPoint<S> vertex_point(const FourPoints<S>& w, std::size_t i) {
 /// the inner cross product keeps its rounding error.
 template <FloatOrDouble S>
 SimplexPoint<S> closest_on_edge(const FourPoints<S>& w, std::size_t i, std::size_t j) {
-  const Vector3<S> edge = w[j] - w[i];
-  const S along = -w[i].dot(edge), whole = edge.dot(edge);
+  const Vector3<S> edge = minus(w[j], w[i]);
+  const S along = -dot3(w[i], edge), whole = dot3(edge, edge);
   if (!(along > S(0))) return vertex_point(w, i);
   if (!(along < whole)) return vertex_point(w, j);
   const S t = along / whole;
-  SimplexPoint<S> found{Vector3<S>(w[i] + edge * t), {}, 1U << i | 1U << j};
+  SimplexPoint<S> found{plus(w[i], t, edge), {}, 1U << i | 1U << j};
   found.weights[i] = S(1) - t;
   found.weights[j] = t;
-  if (found.point.dot(found.point) * S(64) < w[i].dot(w[i])) {
+  if (dot3(found.point, found.point) * S(64) < dot3(w[i], w[i])) {
     const Vector3<S>&p = w[i], &q = w[j];
     const Vector3<S> moment(difference_of_products<S>(p.y(), q.z(), p.z(), q.y()),
                             difference_of_products<S>(p.z(), q.x(), p.x(), q.z()),
                             difference_of_products<S>(p.x(), q.y(), p.y(), q.x()));
-    found.point = edge.cross(moment) / whole;
+    found.point = cross_plain(edge, moment) / whole;
   }
   return found;
 }
@@ -81,16 +98,17 @@ SimplexPoint<S> closest_on_edge(const FourPoints<S>& w, std::size_t i, std::size
 template <FloatOrDouble S>
 SimplexPoint<S> closest_on_triangle(const FourPoints<S>& w, std::size_t i, std::size_t j,
                                     std::size_t k) {
-  const Vector3<S> to_j = w[j] - w[i], to_k = w[k] - w[i];
-  const Vector3<S> normal = to_j.cross(to_k), moment = normal.cross(w[i]);
-  const S whole = normal.dot(normal);
-  const S of_j = -moment.dot(to_k), of_k = moment.dot(to_j), of_i = whole - of_j - of_k;
+  const Vector3<S> to_j = minus(w[j], w[i]), to_k = minus(w[k], w[i]);
+  const Vector3<S> normal = cross_plain(to_j, to_k), moment = cross_plain(normal, w[i]);
+  const S whole = dot3(normal, normal);
+  const S of_j = -dot3(moment, to_k), of_k = dot3(moment, to_j), of_i = whole - of_j - of_k;
   if (of_i > S(0) && of_j > S(0) && of_k > S(0)) {
     SimplexPoint<S> found{
-        Vector3<S>(normal * (normal.dot(w[i]) / whole)), {}, 1U << i | 1U << j | 1U << k};
-    found.weights[i] = of_i / whole;
-    found.weights[j] = of_j / whole;
-    found.weights[k] = of_k / whole;
+        times<S>(dot3(normal, w[i]) / whole, normal), {}, 1U << i | 1U << j | 1U << k};
+    const S share = S(1) / whole;
+    found.weights[i] = of_i * share;
+    found.weights[j] = of_j * share;
+    found.weights[k] = of_k * share;
     return found;
   }
   const bool degenerate = !(whole > S(0));
@@ -113,11 +131,11 @@ SimplexPoint<S> closest_on_triangle(const FourPoints<S>& w, std::size_t i, std::
 /// faces with the point, so the origin is outside at least one of these.
 template <FloatOrDouble S>
 SimplexPoint<S> closest_on_tetrahedron(const FourPoints<S>& w) {
-  const Vector3<S> a = w[0] - w[3], b = w[1] - w[3], c = w[2] - w[3];
-  const Vector3<S> bc = b.cross(c);
-  const S volume = a.dot(bc), sign = volume < S(0) ? S(-1) : S(1), whole = volume * sign;
-  const S of_a = -w[3].dot(bc) * sign, of_b = -w[3].dot(Vector3<S>(c.cross(a))) * sign,
-          of_c = -w[3].dot(Vector3<S>(a.cross(b))) * sign, of_d = whole - of_a - of_b - of_c;
+  const Vector3<S> a = minus(w[0], w[3]), b = minus(w[1], w[3]), c = minus(w[2], w[3]);
+  const Vector3<S> bc = cross_plain(b, c);
+  const S volume = dot3(a, bc), sign = volume < S(0) ? S(1) : S(-1), whole = -volume * sign;
+  const S of_a = dot3(w[3], bc) * sign, of_b = dot3(w[3], cross_plain(c, a)) * sign,
+          of_c = dot3(w[3], cross_plain(a, b)) * sign, of_d = whole - of_a - of_b - of_c;
   if (of_a > S(0) && of_b > S(0) && of_c > S(0) && of_d > S(0)) {
     return {Vector3<S>::Zero(), {of_a / whole, of_b / whole, of_c / whole, of_d / whole}, 15U};
   }
@@ -165,6 +183,8 @@ class SimplexTerms {
   SimplexTerms(const FourPoints<double>& w, int count) : count_(static_cast<std::size_t>(count)) {
     for (std::size_t i = 0; i < count_; ++i) w_[i] = detail::triple<T>(w[i]);
   }
+  SimplexTerms(const std::array<detail::Triple<T>, 4>& w, int count)
+      : w_(w), count_(static_cast<std::size_t>(count)) {}
 
   /// A multiple > 0 of the point closest to the origin of the affine hull of a face, the numerators
   /// of its weights, and their common denominator.

@@ -58,6 +58,12 @@ struct BodyKind<Cylinder<S>> : IsSmooth<S> {};
 template <Ring S>
 struct BodyKind<Ellipsoid<S>> : IsSmooth<S> {};
 
+/// x · y, written out: compilers often call Eigen's as a function.
+template <Ring S>
+S dot3(const Vector3<S>& x, const Vector3<S>& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
 /// A direction of a body's scalar, to which an expression is converted.
 template <class S>
 using Direction = std::type_identity_t<Vector3<S>>;
@@ -196,33 +202,34 @@ int support_vertex(const Sphere<S>&, const detail::Direction<S>&) {
 }
 template <Ring S>
 int support_vertex(const Capsule<S>& body, const detail::Direction<S>& n) {
-  return S(0) < n.dot(Vector3<S>(body.core.end - body.core.start)) ? 1 : 0;
+  return S(0) < detail::dot3<S>(n, body.core.end - body.core.start) ? 1 : 0;
 }
 template <Ring S>
 int support_vertex(const Triangle<S>& body, const detail::Direction<S>& n) {
-  const S ab = n.dot(Vector3<S>(body.b - body.a)), ac = n.dot(Vector3<S>(body.c - body.a));
+  const S ab = detail::dot3<S>(n, body.b - body.a), ac = detail::dot3<S>(n, body.c - body.a);
   if (ab < ac) return S(0) < ac ? 2 : 0;
   return S(0) < ab ? 1 : 0;
 }
 template <Ring S>
 int support_vertex(const Lozenge<S>& body, const detail::Direction<S>& n) {
-  return (S(0) < n.dot(body.first_edge) ? 1 : 0) | (S(0) < n.dot(body.second_edge) ? 2 : 0);
+  return (S(0) < detail::dot3<S>(n, body.first_edge) ? 1 : 0) |
+         (S(0) < detail::dot3<S>(n, body.second_edge) ? 2 : 0);
 }
 template <Ring S>
 int support_vertex(const OrientedBox<S>& body, const detail::Direction<S>& n) {
   int corner = 0;
   for (int i = 0; i < 3; ++i) {
-    if (S(0) < n.dot(Vector3<S>(body.axes.col(i)))) corner |= 1 << i;
+    if (S(0) < detail::dot3<S>(n, body.axes.col(i))) corner |= 1 << i;
   }
   return corner;
 }
 template <Ring S>
 int support_vertex(const ConvexHull<S>& body, const detail::Direction<S>& n) {
   int farthest = 0;
-  S most = n.dot(body.vertices[0]);
+  S most = detail::dot3<S>(n, body.vertices[0]);
   const int count = vertex_count(body);
   for (int i = 1; i < count; ++i) {
-    const S along = n.dot(body.vertices[static_cast<std::size_t>(i)]);
+    const S along = detail::dot3<S>(n, body.vertices[static_cast<std::size_t>(i)]);
     if (most < along) {
       most = along;
       farthest = i;
