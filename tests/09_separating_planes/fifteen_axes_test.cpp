@@ -20,7 +20,7 @@ using gaps_with_mistakes::rotation;
 using gaps_with_mistakes::Search;
 using gaps_with_mistakes::Vector;
 
-constexpr double kTolerance = 1e-10;
+constexpr double kTolerance = 1e-9;
 
 void check_along(const Box& first, const Box& second, const Vector& direction) {
   const auto with = [&](Along way) {

@@ -4,7 +4,7 @@
 /// The axes of a box are the columns of a matrix, as unit vectors in world coordinates. They are
 /// perpendicular to each other, except for rounding. Half lengths go from the centre to a face.
 /// Coordinates of centres are multiples of 2^-30 from -1000 to 1000, half lengths whole numbers
-/// from 1 to 1000, m. Gaps of an answer may be off by 1e-10.
+/// from 1 to 1000, m. Gaps of an answer may be off by 1e-9.
 #pragma once
 
 #include <contact/prelude.hpp>
