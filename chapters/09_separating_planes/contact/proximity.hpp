@@ -156,6 +156,7 @@ inline ProximityWitness witness_of(const CertifiedProximity& answer) {
 /// the proof and the bounds of the distance may: if the witness separates them, `high` is ∞ and
 /// `common` is empty.
 /// @param witness of the same two bodies, or of none; replaced if it proves nothing any more
+// [witness-first]
 template <ConvexBody A, ConvexBody B>
 CertifiedProximity certified_proximity_with_witness(const A& a, const B& b,
                                                     ProximityWitness& witness) {
@@ -168,6 +169,7 @@ CertifiedProximity certified_proximity_with_witness(const A& a, const B& b,
   witness = detail::witness_of(answer);
   return answer;
 }
+// [/witness-first]
 // [/proximity-witness]
 
 }  // namespace contact
