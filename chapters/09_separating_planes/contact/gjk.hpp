@@ -14,6 +14,7 @@
 #include <contact/vector.hpp>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace contact {
@@ -125,7 +126,8 @@ class GjkLoop {
   S largest_squared_ = S(0);  // of all w
   int iterations_ = 0;
   S accuracy_squared_ = S(0);
-  bool exactly_ = false;  // whether the simplex was solved without rounding
+  bool exactly_ = false;     // whether the simplex was solved without rounding
+  bool exact_only_ = false;  // whether all are from now on
   S least_squared_ = std::numeric_limits<S>::infinity();  // |closest|² of those that were
   bool converged_ = false;
 
@@ -152,12 +154,16 @@ class GjkLoop {
   bool has(const KeyA& p, const KeyB& q, const Vector3<S>& w) const;
   void begin(const GjkStart<S>& start);
   void solve() {
-    closest_ = closest_of_simplex(w_, count_);
+    exactly_ = exact_only_;
+    closest_ = exactly_ ? closest_of_simplex_exactly(w_, count_) : closest_of_simplex(w_, count_);
     squared_ = dot3<S>(closest_.point, closest_.point);
-    exactly_ = false;
+    lowest_along_ = S(0);
   }
   bool solve_exactly();
   void reduce();
+  bool in_range() const { return largest_squared_ <= longest_length<S> * longest_length<S>; }
+  enum class Step { closer, optimal, doubtful, out_of_range };
+  Step step();
   S tolerance_squared() const {
     constexpr S room = S(SmoothBody<A> || SmoothBody<B> ? 128 : 16) * tolerance::unit_roundoff<S>;
     return room * room * largest_squared_;
@@ -187,9 +193,11 @@ void GjkLoop<A, B, Record>::begin(const GjkStart<S>& start) {
       const int p = start.a[at(i)], q = start.b[at(i)];
       if (p < 0 || q < 0 || p >= of_a || q >= of_b) continue;
       append(p, q, difference(p, q));
-      largest_squared_ = std::max(largest_squared_, dot3<S>(w_[at(i)], w_[at(i)]));
+      const Vector3<S>& w = w_[at(count_ - 1)];
+      largest_squared_ = std::max(largest_squared_, dot3<S>(w, w));
     }
   }
+  accuracy_squared_ = start.accuracy * start.accuracy;
   if (count_ == 0) {
     Vector3<S> direction = start.direction;
     if (direction == Vector3<S>::Zero()) direction = inner_point(body_a_) - inner_point(body_b_);
@@ -230,61 +238,65 @@ bool GjkLoop<A, B, Record>::confirmed() const {
 }
 
 /// Solves the simplex without rounding.
-/// @return whether its point is closer than that of any simplex that was solved so before; since
-/// these are finitely many numbers, this ends
+/// @return whether its point is closer than that of any simplex that was solved so before
 template <ConvexBody A, ConvexBody B, class Record>
 bool GjkLoop<A, B, Record>::solve_exactly() {
-  closest_ = closest_of_simplex_exactly(w_, count_);
-  squared_ = dot3<S>(closest_.point, closest_.point);
-  exactly_ = true;
+  const bool before = std::exchange(exact_only_, true);
+  solve();
+  exact_only_ = before;
   const bool closer = squared_ < least_squared_;
-  if (closer) least_squared_ = squared_;
+  least_squared_ = std::min(least_squared_, squared_);
   return closer;
 }
 
+// [gjk-step]
+/// One pair of supports: says that the closest point is optimal, or adds a vertex. A step is in
+/// doubt if its vertex is known already, or if its simplex is no closer than the one before.
+template <ConvexBody A, ConvexBody B, class Record>
+auto GjkLoop<A, B, Record>::step() -> Step {
+  if (squared_ <= tolerance_squared()) return Step::optimal;  // the origin, up to rounding
+  const KeyA p = a_.farthest(times<S>(S(-1), closest_.point));
+  const KeyB q = b_.farthest(closest_.point);
+  const Vector3<S> w = difference(p, q);
+  record_(w_, count_, closest_.point, w);
+  ++iterations_;
+  largest_squared_ = std::max(largest_squared_, dot3<S>(w, w));
+  if (!in_range()) return Step::out_of_range;
+  lowest_along_ = dot3<S>(w, closest_.point);
+  const S gap = squared_ - lowest_along_, before = squared_;
+  const S room = std::max(tolerance_squared(), accuracy_squared_);
+  if (!(gap > S(0)) || gap * gap <= room * squared_) return Step::optimal;
+  if (has(p, q, w)) return Step::doubtful;
+  append(p, q, w);
+  solve();
+  if (!(squared_ < before)) return Step::doubtful;
+  reduce();
+  return Step::closer;
+}
+// [/gjk-step]
+
 // [gjk-loop]
+/// The last step is believed if its weights give its point. If it is not, or a step is in doubt,
+/// the simplex is solved without rounding; if that is no closer than an earlier one solved so, all
+/// are from then on. So the loop ends: the numbers in a row of exact ones fall.
 template <ConvexBody A, ConvexBody B, class Record>
 bool GjkLoop<A, B, Record>::run(const GjkStart<S>& start) {
   begin(start);
-  accuracy_squared_ = start.accuracy * start.accuracy;
-  const auto in_range = [this] {
-    return largest_squared_ <= longest_length<S> * longest_length<S>;
-  };
   if (!in_range()) return false;
   solve();
   reduce();
   while (iterations_ < max_iterations) {
-    bool done = squared_ <= tolerance_squared(), stuck = false;
-    if (!done) {
-      const KeyA p = a_.farthest(times<S>(S(-1), closest_.point));
-      const KeyB q = b_.farthest(closest_.point);
-      const Vector3<S> w = difference(p, q);
-      record_(w_, count_, closest_.point, w);
-      ++iterations_;
-      largest_squared_ = std::max(largest_squared_, dot3<S>(w, w));
-      if (!in_range()) return false;
-      lowest_along_ = dot3<S>(w, closest_.point);
-      const S gap = squared_ - lowest_along_, before = squared_;
-      done =
-          !(gap > S(0)) || gap * gap <= std::max(tolerance_squared(), accuracy_squared_) * squared_;
-      stuck = !done && has(p, q, w);
-      if (!done && !stuck) {
-        append(p, q, w);
-        solve();
-        stuck = !(squared_ < before);
-        if (!stuck) reduce();
-      }
-    }
-    if (done && (exactly_ || confirmed())) {
-      converged_ = true;
-      break;
-    }
-    if (!done && !stuck) continue;
-    const bool closer = !exactly_ && solve_exactly();
+    const Step taken = step();
+    if (taken == Step::out_of_range) return false;
+    if (taken == Step::closer) continue;
+    converged_ = taken == Step::optimal && (exactly_ || confirmed());
+    if (converged_) break;
+    const bool settled = exactly_;
+    if (!settled && !solve_exactly()) exact_only_ = true;
     reduce();
-    if (!closer) break;
+    if (settled) break;
   }
-  return !(largest_squared_ < shortest_length<S> * shortest_length<S>) || largest_squared_ == S(0);
+  return largest_squared_ >= shortest_length<S> * shortest_length<S>;
 }
 // [/gjk-loop]
 
@@ -371,6 +383,30 @@ GjkResult<ScalarOf<A>> gjk_recorded(const A& a, const B& b, const GjkStart<Scala
 
 // [gjk]
 /// The closest points and the distance of the cores of two bodies, rounded.
+///
+/// The difference A − B is a convex body, and the distance is that of the origin from it. A simplex
+/// of its points is improved: its point v closest to the origin, then the point of A − B farthest
+/// along −v. Each gives a bound: |v| is at least the distance, and w · v/|v| of the farthest w at
+/// most. GJK ends when they agree to 16 u of the longest w, of smooth bodies 128 u.
+///
+/// It ends for all numbers, after at most 255 steps, and no result is NaN if all are finite. In
+/// tests of all kinds with polytopes as cores, random, touching, thin, large and far, the distance
+/// is off by less than 64 u of the largest coordinate; of smooth bodies by less than 1024 u where
+/// `converged` says so.
+///
+/// Limits: rounded, so it proves nothing. It does not guarantee that `converged` is true, that
+/// `lower` is below the distance (it is rounded), or which side of 0 a distance of a few u is on:
+/// bodies that touch or overlap by so little may have a positive distance, and disjoint ones 0.
+/// The depth of overlapping cores is not computed. A body with infinite or NaN coordinates has a
+/// distance of ∞ and no closest points, or is treated as what is finite of it. A distance beyond
+/// the largest number is ∞.
+/// @param a, b a hull has at least one vertex; radii and half lengths are not negative
+/// @param start any numbers; those that are no vertices are passed over
+///
+/// Source: Gilbert, Johnson and Keerthi, *A fast procedure for computing the distance between
+/// complex objects in three-dimensional space*, IEEE Journal on Robotics and Automation 4 (1988).
+/// The bound at the end is van den Bergen's, *A fast and robust GJK implementation for collision
+/// detection of convex objects*, Journal of Graphics Tools 4 (1999).
 template <ConvexBody A, ConvexBody B>
 requires std::same_as<ScalarOf<A>, ScalarOf<B>> GjkResult<ScalarOf<A>> gjk(
     const A& a, const B& b, const GjkStart<ScalarOf<A>>& start = {}) {
@@ -378,7 +414,8 @@ requires std::same_as<ScalarOf<A>, ScalarOf<B>> GjkResult<ScalarOf<A>> gjk(
 }
 // [/gjk]
 
-/// The steps of gjk() on two bodies.
+/// The steps of gjk() on two bodies, the last one that which ended it; none if the first simplex
+/// has the origin.
 template <ConvexBody A, ConvexBody B>
 requires std::same_as<ScalarOf<A>, ScalarOf<B>> std::vector<GjkStep<ScalarOf<A>>> gjk_steps(
     const A& a, const B& b) {

@@ -22,7 +22,6 @@ struct BaseAndOffset {
   Vector3<S> base, offset;
 };
 
-// [gjk-cores]
 /// A core whose vertices are stored: a sphere, capsule, triangle or hull. Its points have no
 /// offset.
 template <ConvexBody Body>
@@ -40,6 +39,7 @@ class GjkCore {
   const Body& body_;
 };
 
+// [box-core]
 /// A box: its centre, and its half edges, each rounded once.
 template <FloatOrDouble Scalar>
 class GjkCore<OrientedBox<Scalar>> {
@@ -67,6 +67,7 @@ class GjkCore<OrientedBox<Scalar>> {
   Vector3<S> centre_;
   std::array<Vector3<S>, 3> half_edges_;
 };
+// [/box-core]
 
 /// A lozenge: its corner and its edges.
 template <FloatOrDouble Scalar>
@@ -138,7 +139,6 @@ class GjkCore<Ellipsoid<Scalar>> {
   Vector3<S> centre_;
   std::array<Vector3<S>, 3> image_;  // of the axes of the ball
 };
-// [/gjk-cores]
 
 /// The larger of a number ≥ 0 and the magnitude of every entry of a vector; NaN if one is.
 template <class S, class Derived>
