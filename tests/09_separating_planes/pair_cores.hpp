@@ -93,7 +93,7 @@ inline Near unit(const Whole& v) { return near(v, power_of(v)).normalized(); }
 
 }  // namespace detail
 
-/// @name The cores of the stored numbers
+/// @name The cores of the stored numbers, with vertices in the order of contact::vertex()
 /// @{
 inline Core core_of(const contact::Sphere<double>& b) {
   return {{oracle::exact(b.centre)}, {}, {}, oracle::exact(b.radius)};
@@ -111,9 +111,9 @@ inline Core core_of(const contact::Triangle<double>& b) {
 inline Core core_of(const contact::Lozenge<double>& b) {
   const Vector o = oracle::exact(b.corner);
   const Vector e = oracle::exact(b.first_edge), f = oracle::exact(b.second_edge);
-  return {{o, Vector(o + e), Vector(o + e + f), Vector(o + f)},
-          {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
-          {{0, 1, 2}, {0, 2, 3}},
+  return {{o, Vector(o + e), Vector(o + f), Vector(o + e + f)},
+          {{0, 1}, {1, 3}, {3, 2}, {2, 0}},
+          {{0, 1, 3}, {0, 3, 2}},
           oracle::exact(b.radius)};
 }
 /// The parallelepiped of the stored numbers.
@@ -143,18 +143,15 @@ inline Core core_of(const contact::OrientedBox<double>& b) {
   }
   return core;
 }
-/// Faces are all triangles of three points with all others on one side.
-inline Core core_of(const contact::ConvexHull<double>& b) {
-  Core core;
-  for (const auto& v : b.vertices) core.vertices.push_back(oracle::exact(v));
-  core.radius = oracle::exact(b.radius);
+/// The hull of points. Faces are all triangles of three points with all others on one side.
+inline Core core_of_points(std::vector<Vector> points, const Rational& radius) {
+  Core core{std::move(points), {}, {}, radius};
   const Integer scale = detail::common_denominator(core.vertices);
   std::vector<Whole> w;
   for (const Vector& v : core.vertices) w.push_back(detail::whole(v, core.vertices[0], scale));
   const int n = static_cast<int>(w.size());
   const auto at = [&w](int i) -> const Whole& { return w[static_cast<std::size_t>(i)]; };
   std::vector<char> is_edge(static_cast<std::size_t>(n * n), 0);
-  bool flat = true;
   for (int i = 0; i < n; ++i) {
     for (int j = i + 1; j < n; ++j) {
       for (int k = j + 1; k < n; ++k) {
@@ -166,7 +163,6 @@ inline Core core_of(const contact::ConvexHull<double>& b) {
           above = above || side > 0;
           below = below || side < 0;
         }
-        flat = flat && !above && !below;
         if (above && below) continue;
         core.faces.push_back({i, j, k});
         for (const auto& [p, q] : {std::pair{i, j}, std::pair{j, k}, std::pair{i, k}}) {
@@ -183,6 +179,11 @@ inline Core core_of(const contact::ConvexHull<double>& b) {
     }
   }
   return core;
+}
+inline Core core_of(const contact::ConvexHull<double>& b) {
+  std::vector<Vector> points;
+  for (const auto& v : b.vertices) points.push_back(oracle::exact(v));
+  return core_of_points(std::move(points), oracle::exact(b.radius));
 }
 /// @}
 

@@ -166,9 +166,10 @@ inline V contact_direction(Random& random, const Body& a, const Body& b) {
     n = d.normalized().cross(e.normalized());
   }
   const bool opposite = random.chance(0.5);
-  const double length = n.norm();
-  if (!(length > 1e-9)) return random_poses::direction(random);
-  return n / (opposite ? -length : length);
+  const double largest = n.cwiseAbs().maxCoeff();
+  if (!(largest > 0) || (how == 2 && largest < 1e-9)) return random_poses::direction(random);
+  const V unit = V(n / largest).normalized();
+  return opposite ? V(-unit) : unit;
 }
 
 /// A point of a body that is farthest along a unit vector n up to rounding: any of a face or an
