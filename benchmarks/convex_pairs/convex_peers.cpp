@@ -3,10 +3,12 @@
 // processor, and each is also given as a share of it that the book takes: the median and the range
 // over runs in which all take turns. usage:
 //   convex_peers [N] [runs] [KIND KIND]  N pairs of each question; of one pair of kinds, or of all
+#include <algorithm>
 #include <contact/gjk.hpp>
 #include <contact/proximity.hpp>
 #include <contact/signed_distance.hpp>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "../comparison.hpp"
+#include "careful.hpp"
 #include "pair_scenes.hpp"
 #include "peers.hpp"
 
@@ -108,7 +111,19 @@ void decide(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it,
       deciding<A, B>("GJK, rounded", kept, [](const A& a, const B& b, std::size_t) {
         return contact::gjk(a, b).distance <= contact::radius_of(a) + contact::radius_of(b);
       })};
-  for (const auto& test : peers_of_it) methods.push_back({test.name, test.prepare(scene.plain)});
+  for (const auto& test : peers_of_it) {
+    const auto fine = careful::answered<char>(test.prepare, scene.plain);
+    const auto pairs = careful::without(fine, scene.plain, scene.title + ", " + test.name);
+    if (pairs.empty()) continue;
+    const auto ask = test.prepare(pairs);
+    methods.push_back({test.name, [ask, fine, &scene](Answers& answers) {
+                         ask(answers);
+                         // No answer is no wrong one; they are told above.
+                         for (std::size_t i = 0; i < fine.size(); ++i) {
+                           if (fine[i] == 0) answers[i] = scene.right[i] <= 0 ? 1 : 0;
+                         }
+                       }});
+  }
   comparison::compare<Answers>(
       scene.title + ", " + std::to_string(kept.size()) + " pairs", "ns a pair",
       static_cast<double>(kept.size()), methods,
@@ -127,7 +142,18 @@ void measure(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it
          }
        }}};
   for (const auto& test : peers_of_it) {
-    if (test.measure) methods.push_back({test.name, test.measure(scene.plain)});
+    if (!test.measure) continue;
+    const auto fine = careful::answered<peers::Witness>(test.measure, scene.plain);
+    const auto pairs =
+        careful::without(fine, scene.plain, scene.title + ", signed distances, " + test.name);
+    if (pairs.empty()) continue;
+    const auto ask = test.measure(pairs);
+    methods.push_back({test.name, [ask, fine](Witnesses& found) {
+                         ask(found);
+                         for (std::size_t i = 0; i < fine.size(); ++i) {
+                           if (fine[i] == 0) found[i].found = false;
+                         }
+                       }});
   }
   comparison::compare<Witnesses>(
       scene.title + ", signed distances", "ns a pair", static_cast<double>(kept.size()), methods,
@@ -156,7 +182,7 @@ void compare(Kind a, Kind b, std::size_t count, int runs) {
 
 std::optional<Kind> kind_named(std::string_view text) {
   for (const Kind kind : pair_bodies::all_kinds) {
-    if (name(kind) == text) return kind;
+    if (pair_bodies::name(kind) == text) return kind;
   }
   return std::nullopt;
 }

@@ -102,7 +102,8 @@ inline peers::Shape plain(const Body& body) {
 /// one of them, which happens for cylinders and ellipsoids.
 inline std::optional<int> right_sign(const Pair& pair) {
   std::optional<int> sign;
-  if (pair_bodies::is_smooth(kind_of(pair.a)) || pair_bodies::is_smooth(kind_of(pair.b))) {
+  if (pair_bodies::is_smooth(pair_bodies::kind_of(pair.a)) ||
+      pair_bodies::is_smooth(pair_bodies::kind_of(pair.b))) {
     return pair_proofs::proved(pair.a, pair.b, oracle::exact(pair.normal),
                                oracle::exact(pair.point));
   }
@@ -140,8 +141,11 @@ inline std::vector<Group> groups() {
 
 inline Scene scene(Kind a, Kind b, const Group& group, std::size_t count) {
   generators::Random random(100 * static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
-  Scene made{
-      std::string(name(a)) + " and " + std::string(name(b)) + ", " + group.title, {}, {}, {}};
+  Scene made{std::string(pair_bodies::name(a)) + " and " + std::string(pair_bodies::name(b)) +
+                 ", " + group.title,
+             {},
+             {},
+             {}};
   std::size_t drawn = 0;
   while (made.pairs.size() < count && drawn < 20 * count) {
     const Family family = group.families[drawn++ % group.families.size()];
@@ -164,7 +168,8 @@ inline bool is_inconsistent(const Pair& pair, const peers::Witness& witness) {
   if (!n.allFinite() || !std::isfinite(witness.distance)) return true;
   if (!(std::abs(n.norm() - 1) <= 1e-6)) return true;
   const double room = 1e-6 * size;
-  if (pair_bodies::is_smooth(kind_of(pair.a)) || pair_bodies::is_smooth(kind_of(pair.b))) {
+  if (pair_bodies::is_smooth(pair_bodies::kind_of(pair.a)) ||
+      pair_bodies::is_smooth(pair_bodies::kind_of(pair.b))) {
     return pair_proofs::gap_along(pair.a, pair.b, n) < witness.distance - room;
   }
   double left = 0;

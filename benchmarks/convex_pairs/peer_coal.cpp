@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <exception>
+
 #include "peers.hpp"
 
 namespace {
@@ -66,13 +68,15 @@ bool meet(const Placed& a, const Placed& b) {
   return coal::collide(a.shape.get(), a.pose, b.shape.get(), b.pose, request, result) > 0;
 }
 
-peers::Witness measure(const Placed& a, const Placed& b) {
+peers::Witness measure(const Placed& a, const Placed& b) try {
   const coal::DistanceRequest request(true, true);
   coal::DistanceResult result;
   const double distance =
       coal::distance(a.shape.get(), a.pose, b.shape.get(), b.pose, request, result);
   const coal::Vec3s n = -result.normal;
   return {n.allFinite(), distance, {n[0], n[1], n[2]}};
+} catch (const std::exception&) {
+  return {};
 }
 
 }  // namespace

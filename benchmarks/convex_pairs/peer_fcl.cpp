@@ -1,6 +1,8 @@
 // FCL: its closed forms, and libccd's GJK for the rest.
 #include <fcl/fcl.h>
 
+#include <exception>
+
 #include "peers.hpp"
 
 namespace {
@@ -49,7 +51,7 @@ bool meet(const Placed& a, const Placed& b) {
   return fcl::collide(a.shape.get(), a.pose, b.shape.get(), b.pose, request, result) > 0;
 }
 
-peers::Witness measure(const Placed& a, const Placed& b) {
+peers::Witness measure(const Placed& a, const Placed& b) try {
   fcl::DistanceRequestd request(true, true);
   fcl::DistanceResultd result;
   const double distance =
@@ -58,6 +60,8 @@ peers::Witness measure(const Placed& a, const Placed& b) {
   const double length = distance < 0 ? -between.norm() : between.norm();
   const fcl::Vector3d n = between / length;
   return {n.allFinite(), distance, {n[0], n[1], n[2]}};
+} catch (const std::exception&) {
+  return {};
 }
 
 /// It has no lozenges, and its hulls need faces of more than triangles.
