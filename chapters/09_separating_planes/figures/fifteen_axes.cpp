@@ -44,8 +44,13 @@ struct Output {
   std::array<double, methods> apart, wrong;  // what each method says, and 1 if that is false
   double exact_largest;  // the largest separation along an axis that is not 0, m
   double exact_axis;     // that has it
+  // For a reader's function: the axes of the boxes; the largest separation, and the first axis that
+  // has it up to 1e-9 m; 1 if half lengths are whole numbers up to 1000, the centre is a multiple
+  // of 2^-30, and no cross product of edges is between 1e-12 and 1e-2.
+  Vector x_a, y_a, z_a, x_b, y_b, z_b;
+  double gap, gap_axis, asked;
   // Goals of questions.
-  double edges_only;      // disjoint, and no face separates them
+  double edges_only;      // disjoint, and along each face normal they overlap by at least 0.25 m
   double skipping_wrong;  // the boxes are disjoint, and method 2 does not say so
   double padding_wrong;   // the boxes are disjoint, and method 3 does not say so
   double rounding_wrong;  // method 1 is wrong
@@ -120,8 +125,8 @@ Found skipping(const Box& a, const Box& b, double shortest) {
 
 // WRONG: the cosines of the angles between the axes are rounded. Along the cross product of nearly
 // parallel edges all terms are a few u, and what is left of them need not be the separation along
-// any direction. With a padding of the cosines that is larger than their error, boxes are never
-// said to be apart wrongly; but disjoint ones are said to meet.
+// any direction. A padding of the cosines that exceeds their error covers that, but then disjoint
+// boxes are said to meet.
 Found by_cosines(const Box& a, const Box& b, double padding) {
   const Matrix cosine = a.axes.transpose() * b.axes;
   const Matrix padded = (cosine.cwiseAbs().array() + padding).matrix();
@@ -149,6 +154,34 @@ Found by_cosines(const Box& a, const Box& b, double padding) {
     }
   }
   return found;
+}
+
+/// Whether a reader's function is asked about the boxes, see Output.
+bool is_asked(const Input& in, const Output& out) {
+  const auto whole = [](const Vector& v) { return v == v.array().round().matrix(); };
+  const bool short_or_long = std::all_of(out.length.begin() + 6, out.length.end(),
+                                         [](double x) { return x < 1e-12 || x > 1e-2; });
+  return in.size == 1 && whole(in.half_a) && whole(in.half_b) && whole(in.b * 0x1p30) &&
+         std::max(in.half_a.maxCoeff(), in.half_b.maxCoeff()) <= 1000 &&
+         in.b.cwiseAbs().maxCoeff() <= 1000 && short_or_long;
+}
+
+/// Answers as a reader's function is to: short cross products are no axes.
+void answer_for_reader(const Input& in, const Box& a, const Box& b, const Found& found,
+                       Output& out) {
+  out.x_a = a.axes.col(0);
+  out.y_a = a.axes.col(1);
+  out.z_a = a.axes.col(2);
+  out.x_b = b.axes.col(0);
+  out.y_b = b.axes.col(1);
+  out.z_b = b.axes.col(2);
+  out.asked = is_asked(in, out) ? 1 : 0;
+  out.gap = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < axes; ++k) {
+    if (k >= 6 && out.length[k] < 1e-8) continue;
+    if (found.separation[k] > out.gap + 1e-9) out.gap_axis = double(k);
+    out.gap = std::max(out.gap, found.separation[k]);
+  }
 }
 
 /// The plane perpendicular to an axis, halfway between the supports of the boxes, in the line from
@@ -220,10 +253,12 @@ Output compute(const Input& in) {
     if (k >= 6) out.shortest = std::min(out.shortest, out.length[k]);
   }
 
+  answer_for_reader(in, a, b, found[0], out);
+
   const auto& along = found[0].separation;
-  const bool by_face =
-      std::any_of(along.begin(), along.begin() + 6, [](double x) { return x > 0; });
-  out.edges_only = disjoint && !by_face ? 1 : 0;
+  const bool faces_overlap =
+      std::all_of(along.begin(), along.begin() + 6, [](double x) { return x <= -0.25; });
+  out.edges_only = disjoint && faces_overlap ? 1 : 0;
   out.skipping_wrong = disjoint ? out.wrong[2] : 0;
   out.padding_wrong = disjoint ? out.wrong[3] : 0;
   out.rounding_wrong = out.wrong[1];
@@ -233,5 +268,6 @@ Output compute(const Input& in) {
 FIGURE(Input, FIELDS(b, nose_a, nose_b, roll_a, roll_b, half_a, half_b, size, method, epsilon),
        Output,
        FIELDS(problem, corner_a, corner_b, separation, skipped, skipped_count, largest, axis,
-              normal, on, length, shortest, state, apart, wrong, exact_largest, exact_axis,
-              edges_only, skipping_wrong, padding_wrong, rounding_wrong))
+              normal, on, length, shortest, state, apart, wrong, exact_largest, exact_axis, x_a,
+              y_a, z_a, x_b, y_b, z_b, gap, gap_axis, asked, edges_only, skipping_wrong,
+              padding_wrong, rounding_wrong))

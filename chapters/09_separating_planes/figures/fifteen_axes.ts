@@ -102,10 +102,11 @@ function bars(input: Input, output: Output): Bar[] {
   });
 }
 
+/** Two boxes with an edge towards each other; the edges cross. */
 const CROSSED = {
-  b: [2.95, 0, 0],
+  b: [2.9375, 0, 0],
   nose_a: [0, -1.5, 0],
-  nose_b: [0, -1.25, 1],
+  nose_b: [0, -1.5, 0.5625],
   roll_a: 45,
   roll_b: 45,
   half_a: [1, 1, 1],
@@ -118,14 +119,14 @@ export default defineFigure<Input, Output>({
   title: "Fifteen axes of two boxes",
   view: {
     kind: "3d",
-    target: [1.45, 0, -2.35],
+    target: [1.6, 0, -2.35],
     azimuth: -68,
     elevation: 22,
     span: 6.4,
     projection: "orthographic",
   },
   aspect: 0.64,
-  initial: { ...CROSSED, method: 0 },
+  initial: { ...CROSSED, b: [3.125, 0, 0], nose_b: [0, -1.5, 0.25], method: 0 },
   handles: [
     {
       kind: "point",
@@ -142,7 +143,7 @@ export default defineFigure<Input, Output>({
       role: "b",
       limit: [-2, 2],
     },
-    { kind: "point", field: "b", label: "centre of B", role: "b", limit: [-4, 4] },
+    { kind: "point", field: "b", label: "centre of B", role: "b", step: 0.625, limit: [-4, 4] },
   ],
   controls: [
     {
@@ -170,7 +171,6 @@ export default defineFigure<Input, Output>({
       kind: "states",
       label: "Boxes",
       options: [
-        { label: "crossed edges", fields: { ...CROSSED, method: 0 } },
         {
           label: "nearly parallel",
           fields: {
@@ -185,7 +185,7 @@ export default defineFigure<Input, Output>({
         },
         {
           label: "5 cm, crossed",
-          fields: { ...CROSSED, nose_b: [0, -1.5, 0.5625], size: 0.05, method: 2 },
+          fields: { ...CROSSED, size: 0.05, method: 2 },
         },
         {
           label: "parallel",
@@ -214,7 +214,7 @@ export default defineFigure<Input, Output>({
     },
     { kind: "numbers", field: "nose_a", label: "A’s x axis", role: "a" },
     { kind: "numbers", field: "half_a", label: "A’s half", role: "a" },
-    { kind: "numbers", field: "b", label: "B", role: "b" },
+    { kind: "numbers", field: "b", label: "B", role: "b", step: 0.0625 },
     { kind: "numbers", field: "nose_b", label: "B’s x axis", role: "b" },
     { kind: "numbers", field: "half_b", label: "B’s half", role: "b" },
   ],
@@ -228,7 +228,7 @@ export default defineFigure<Input, Output>({
     box(scene, output.corner_b, "b");
     scene.label(vectorAt(output.corner_a, 6), "A", { role: "a", offset: [0, -10] });
     scene.label(vectorAt(output.corner_b, 6), "B", { role: "b", offset: [0, -10] });
-    const role = output.wrong[input.method] ? "miss" : output.largest > 0 ? "hit" : "ray";
+    const role = output.wrong[input.method] ? "miss" : output.apart[input.method] ? "hit" : "ray";
     scene.patch(output.on, output.normal, 1.3, { role, fill: 0.12 });
     scene.strips(bars(input, output));
   },
@@ -260,10 +260,12 @@ export default defineFigure<Input, Output>({
     const axis = AXES[output.axis] ?? "";
     const largest = `the largest separation is ${pretty(output.largest)} m, ${axis}`;
     const now = `The boxes are ${STATES[output.state] ?? ""}.`;
-    if (!output.wrong[method])
-      return output.largest > 0
-        ? `${now} A plane separates them: ${largest}.`
+    if (!output.wrong[method]) {
+      if (output.apart[method]) return `${now} A plane separates them: ${largest}.`;
+      return output.state === 1
+        ? `${now} A plane has them on its two sides: ${largest}.`
         : `${now} No axis separates them: ${largest}.`;
+    }
     const says = output.apart[method] ? "apart" : "not apart";
     return `${now} The test says wrongly that they are ${says}: ${largest}.`;
   },

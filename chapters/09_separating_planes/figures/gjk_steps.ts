@@ -194,8 +194,8 @@ export default defineFigure<Input, Output>({
         : `After ${steps} steps both bounds agree: the bodies are ${pretty(distance)} m apart, and v separates them.`;
     const bound =
       lower > 0
-        ? `so the distance is at least ${pretty(lower)} m: v separates the bodies`
-        : "which is no farther than the origin, so v does not separate the bodies";
-    return `Step ${shown} of ${steps}: v is the point of the simplex, ${vertices(count)}, that is closest to the origin. Towards the origin w is the farthest difference, ${bound}.`;
+        ? `All of A − B is beyond the line through w, so the bodies are at least ${pretty(lower)} m apart: v separates them.`
+        : "The line through w does not leave the origin in front of it, so v does not separate the bodies.";
+    return `Step ${shown} of ${steps}: the simplex has ${vertices(count)}, and v is its point closest to the origin. w is the difference that is farthest towards the origin. ${bound}`;
   },
 });

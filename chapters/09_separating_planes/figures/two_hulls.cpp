@@ -47,8 +47,8 @@ struct Output {
   std::array<double, of_a> wrong_a, on_a;  // 1 for each of these
   std::array<double, of_b> wrong_b, on_b;
   // For a reader's function that takes whole numbers: 1 if 64 times each vertex is one and no
-  // vertex is rounded; and whether the bodies are disjoint.
-  double whole, apart;
+  // vertex is rounded; 1 if the bodies are disjoint; and 1 if both hold.
+  double whole, apart, whole_and_apart;
   // Goals of questions.
   double line_found;       // the reader's line separates bodies that are less than 0.2 m apart
   double weak_line_found;  // they touch, and no vertex is on the wrong side
@@ -218,6 +218,7 @@ Output compute(const Input& in) {
 
   judge_line(in, polygon_a, polygon_b, radius, out);
   out.whole = radius == 0 && whole(polygon_a) && whole(polygon_b) ? 1 : 0;
+  out.whole_and_apart = out.whole * out.apart;
   out.line_found = disjoint && out.gap < 0.2 && out.wrong == 0 && out.on_line == 0 ? 1 : 0;
   out.weak_line_found = out.state == 1 && out.wrong == 0 ? 1 : 0;
   out.one_wrong = overlapping && out.wrong == 1 ? 1 : 0;
@@ -227,4 +228,5 @@ Output compute(const Input& in) {
 FIGURE(Input, FIELDS(a, b, turn_a, turn_b, p, q, radius, shown), Output,
        FIELDS(problem, a0, a1, a2, a3, a4, b0, b1, b2, b3, state, checked, gap, normal, between,
               end_of_a, end_of_b, support_a, support_b, common, a_on_left, wrong, on_line, wrong_a,
-              on_a, wrong_b, on_b, whole, apart, line_found, weak_line_found, one_wrong))
+              on_a, wrong_b, on_b, whole, apart, whole_and_apart, line_found, weak_line_found,
+              one_wrong))
