@@ -4,6 +4,7 @@
 #include <09_separating_planes/random_poses.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <contact/gjk_cores.hpp>
 #include <contact/support.hpp>
 #include <support/generators.hpp>
 #include <support/oracle.hpp>
@@ -168,6 +169,25 @@ TEST_CASE("along its core a cylinder's support is the centre of a cap, and for 0
   CHECK(contact::support(body, Point(0, 0, -5)) == Point(0, 0, -1));
   CHECK(contact::support(body, Point(0, 0, 0)) == Point(0, 0, -1));
   CHECK(contact::support(body, Point(2, 0, 0)) == Point(3, 0, -1));
+}
+
+TEST_CASE("the support of a cylinder almost along its core is on the cap") {
+  Random random(5);
+  for (int i = 0; i < generators::tried(2000); ++i) {
+    const auto cylinder =
+        std::get<contact::Cylinder<double>>(any_body(random, pair_bodies::Kind::cylinder));
+    const Point core = cylinder.core.end - cylinder.core.start;
+    const Point axis = core / core.norm();
+    const Point aside = random_poses::direction(random).cross(axis);
+    const Point n = axis + aside * std::ldexp(1.0, -random.integer(10, 60));
+    const Point from_cap = contact::support(cylinder, n) - cylinder.core.end;
+    INFO("case " << i);
+    REQUIRE(std::abs(axis.dot(from_cap)) <= 64 * u);
+    REQUIRE(from_cap.norm() <= cylinder.radius + 64 * u);
+    const Point of_gjk =
+        contact::gjk_detail::GjkCore<contact::Cylinder<double>>(cylinder).farthest(n).offset;
+    REQUIRE(std::abs(axis.dot(of_gjk)) <= 64 * u);
+  }
 }
 
 TEST_CASE("every body has its inner point between its supports along any direction") {

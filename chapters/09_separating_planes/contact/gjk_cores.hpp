@@ -99,10 +99,14 @@ class GjkCore<Cylinder<Scalar>> {
         axis_(detail::unit_of_any_size<S>(Vector3<S>(body.core.end - body.core.start))) {}
   Key farthest(const Vector3<S>& n) const {
     const S along = dot3(axis_, n);
-    const Vector3<S> across = plus<S>(n, -along, axis_);
+    // Twice, because rounding leaves a component along the core; what is left below 4 u is
+    // rounding.
+    const Vector3<S> once = plus<S>(n, -along, axis_);
+    const Vector3<S> across = plus<S>(once, -dot3(axis_, once), axis_);
     const S length = std::sqrt(dot3(across, across));
+    const bool aside = length > S(2) * std::numeric_limits<S>::epsilon() * std::abs(along);
     return {along > S(0) ? body_.core.end : body_.core.start,
-            length > S(0) ? times<S>(body_.radius / length, across) : across};
+            aside ? times<S>(body_.radius / length, across) : Vector3<S>(Vector3<S>::Zero())};
   }
   const Vector3<S>& base(const Key& key) const { return key.base; }
   const Vector3<S>& offset(const Key& key) const { return key.offset; }

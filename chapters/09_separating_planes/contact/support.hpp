@@ -297,7 +297,11 @@ Vector3<S> support(const Cylinder<S>& body, const detail::Direction<S>& n) {
   const Vector3<S> axis = detail::unit_of_any_size<S>(Vector3<S>(body.core.end - body.core.start));
   const Vector3<S> unit = detail::unit_of_any_size<S>(n);
   const S along = axis.dot(unit);
-  const Vector3<S> across = unit - axis * along;
+  // Twice, because rounding leaves a component along the core; what is left below 4 u is rounding.
+  Vector3<S> across = unit - axis * along;
+  across -= axis * axis.dot(across);
+  constexpr S least = S(2) * std::numeric_limits<S>::epsilon();
+  if (across.dot(across) <= least * least) across = Vector3<S>::Zero();
   return (along > S(0) ? body.core.end : body.core.start) +
          detail::unit_of_any_size<S>(across) * body.radius;
 }
