@@ -91,11 +91,13 @@ class BoundedDifferences {
   /// differences. Each of six products of three computed coordinates has at most eight roundings on
   /// its path to the sum: 6 γ(8) M³. Exact instead of computed coordinates change each product by
   /// at most 3 e M². Together less than M² (49 u M + 18 e), and the factor 1 + 2^-20 covers the
-  /// rounding of this bound. Sizes within 2^±300 neither over- nor underflow.
+  /// rounding of this bound. Sizes are brought near 1 by a power of two, so nothing overflows, and
+  /// underflow is far below u M³.
   int certain_sign_of_volume(std::size_t i, std::size_t j, std::size_t k) const {
-    const double e = error(), m = largest_ + e;
+    const double scale = to_range();
+    const double e = error() * scale, m = largest_ * scale + e;
     if (!(m > 0x1p-300 && m < 0x1p300)) return 0;
-    const double volume = w_[i].dot(w_[j].cross(w_[k]));
+    const double volume = (w_[i] * scale).dot((w_[j] * scale).eval().cross((w_[k] * scale).eval()));
     const double bound = m * m * (49 * u * m + 18 * e) * (1 + 0x1p-20);
     return volume > bound ? 1 : (volume < -bound ? -1 : 0);
   }
@@ -112,24 +114,28 @@ class BoundedDifferences {
 
   // [distance-up]
   /// An upper bound of |Σ λᵢ wᵢ| / Σ λᵢ for the exact differences; ∞ if a weight is negative or not
-  /// finite, or the sizes are out of range.
+  /// finite, their sum is 0 or out of range, or a difference overflows.
   ///
   /// The length of a vector whose coordinates are off by at most d is off by at most √3 d < 2 d. A
   /// coordinate of Σ λᵢ wᵢ has at most seven roundings, so it is off by at most (γ(7) M + e) Σ λᵢ;
-  /// length, sum and quotient by γ(12) of themselves. 16 u of either is more.
+  /// length, sum and quotient by γ(12) of themselves. 16 u of either is more. Sizes are brought
+  /// near 1 by a power of two s; 2^-600/s covers all underflow but that of the last quotient.
   double distance_up(const std::array<double, 6>& weights) const {
+    const double scale = to_range();
     Vector3<double> sum = Vector3<double>::Zero();
     double of_weights = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       if (!(weights[i] >= 0)) return std::numeric_limits<double>::infinity();
-      sum += w_[i] * weights[i];
+      sum += w_[i] * scale * weights[i];
       of_weights += weights[i];
     }
-    const bool in_range = of_weights > 0x1p-100 && of_weights < 0x1p100 && largest_ < 0x1p400;
+    const bool in_range = of_weights > 0x1p-100 && of_weights < 0x1p100 && std::isfinite(largest_);
     if (!in_range) return std::numeric_limits<double>::infinity();
     const double size = sum.cwiseAbs().maxCoeff();
     const double length = size > 0x1p-500 ? std::sqrt(sum.dot(sum)) : 2 * size;
-    return (length / of_weights + 2 * (error() + 16 * u * largest_)) * (1 + 16 * u) + 0x1p-600;
+    const double room = 2 * scale * (error() + 16 * u * largest_);
+    const double bound = ((length / of_weights + room) * (1 + 16 * u) + 0x1p-600) / scale;
+    return scale > 1 ? bound + std::numeric_limits<double>::denorm_min() : bound;
   }
   // [/distance-up]
 
@@ -139,6 +145,14 @@ class BoundedDifferences {
   double largest_ = 0;
   std::size_t count_ = 0;
   std::array<Vector3<double>, 6> w_;
+
+  /// A power of two that brings the largest coordinate near 1, if it is so large or small that
+  /// products of three would over- or underflow; else 1.
+  double to_range() const {
+    if ((largest_ > 0x1p-250 && largest_ < 0x1p250) || !(largest_ > 0)) return 1;
+    if (!std::isfinite(largest_)) return 1;
+    return std::ldexp(1.0, std::clamp(-std::ilogb(largest_), -1000, 1000));
+  }
 };
 
 }  // namespace contact::detail

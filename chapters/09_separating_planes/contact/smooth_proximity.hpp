@@ -26,18 +26,56 @@ namespace contact {
 
 namespace detail {
 
-/// By which share of the distance to an inner point members are pulled inside at first: so far that
-/// contains() rarely has to calculate exactly, or not at all.
+/// By which share of the size members are pulled inside at first: so far that contains() rarely has
+/// to calculate exactly, or not at all.
 inline constexpr double coarse_pull = 0x1p-46, no_pull = 0;
 
+/// A point by about a distance farther inside than p, which is on the surface up to rounding:
+/// towards an inner point.
+template <ConvexBody Body>
+Vector3<double> farther_inside(const Body&, const Vector3<double>& p, const Vector3<double>& inner,
+                               double distance) {
+  return p + unit_of_any_size<double>(Vector3<double>(inner - p)) * distance;
+}
+/// In a cylinder: along the core, and towards it.
+inline Vector3<double> farther_inside(const Cylinder<double>& body, const Vector3<double>& p,
+                                      const Vector3<double>& inner, double distance) {
+  const Vector3<double> axis = unit_of_any_size<double>(Vector3<double>(body.core.end - inner));
+  const Vector3<double> from_inner = p - inner;
+  const double along = axis.dot(from_inner);
+  const Vector3<double> across = from_inner - axis * along;
+  const double off_axis = std::sqrt(across.dot(across));
+  return p - axis * std::clamp(along, -distance, distance) -
+         unit_of_any_size<double>(across) * std::min(distance, off_axis);
+}
+/// In an ellipsoid: against its normal, which is Σ axesᵢ (axesᵢ · (p − c))/hᵢ² up to rounding.
+inline Vector3<double> farther_inside(const Ellipsoid<double>& body, const Vector3<double>& p,
+                                      const Vector3<double>& inner, double distance) {
+  const double largest = body.half_lengths.maxCoeff();
+  Vector3<double> normal = Vector3<double>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Vector3<double> axis = body.axes.col(i);
+    const double share = largest / body.half_lengths(i);
+    normal += axis * (axis.dot(Vector3<double>(p - inner)) * share * share);
+  }
+  return p - unit_of_any_size<double>(normal) * distance;
+}
+
 // [pulled-inside]
-/// A member close to a rounded point of the body: the first of the points p + t (c − p) that the
-/// body contains, with c an inner point and t = first, 4 first, …, 1; after 0 comes 2^-52.
+/// A member close to a rounded point of the body: the first that the body contains, of points
+/// farther and farther inside, by `first` times the size, four times as much, and so on; at last of
+/// points towards the inner point, up to that.
 /// @return with a vertex of −2, which is no member, if there is none
 template <ConvexBody Body>
 Member pulled_inside(const Body& body, const Vector3<double>& p, const Vector3<double>& inner,
                      double first) {
-  for (double t = first; t <= 1; t = t > 0 ? 4 * t : 0x1p-52) {
+  if (first == 0 && contains(body, p)) return {-1, p};
+  const double size = p.cwiseAbs().maxCoeff() + Vector3<double>(p - inner).cwiseAbs().maxCoeff();
+  for (double share = std::max(first, 0x1p-54); share < 0x1p-20; share *= 4) {
+    const Vector3<double> q = farther_inside(body, p, inner, share * size);
+    if (contains(body, q)) return {-1, q};
+  }
+  for (double t = 0x1p-50; t <= 1; t *= 4) {
     const Vector3<double> q = p + (inner - p) * t;
     if (contains(body, q)) return {-1, q};
   }
