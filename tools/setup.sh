@@ -40,12 +40,14 @@ test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scr
 test|valgrind|command valgrind|-|Valgrind: counts the instructions of a run
 benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons, rays, meshes, triangle pairs and bounding volumes, decided exactly
 benchmarks|libqhull-dev|header libqhull_r/qhull_ra.h|qhull|Qhull: convex hulls
-benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes and scenes
-benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes
+benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes, pairs of convex bodies and scenes
+benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes and pairs of convex bodies
+benchmarks|libccd-dev|header ccd/ccd.h|libccd|libccd: pairs of convex bodies
+benchmarks|cargo|command cargo|rust|Cargo: unpacks the source of Box3D, for pairs of convex bodies
 benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane
 benchmarks|libgeos++-dev|header geos/algorithm/PointLocation.h|geos|GEOS: points in polygons
 benchmarks|libembree-dev|header embree3/rtcore.h embree4/rtcore.h|embree|Embree 3: rays
-benchmarks|libfcl-dev|header fcl/fcl.h|fcl|FCL: segments, meshes and triangle pairs
+benchmarks|libfcl-dev|header fcl/fcl.h|fcl|FCL: segments, meshes, triangle pairs and pairs of convex bodies
 END
 }
 
@@ -302,6 +304,27 @@ setup_npm() { # the folder of package-lock.json
   cp "$setup_pins" "$setup_stamp"
 }
 
+setup_crates() { # the folder of Cargo.lock
+  setup_pins=$root/$1/Cargo.lock
+  [ -f "$setup_pins" ] || return 0
+  setup_stamp=$root/build/crates/contact-Cargo.lock
+  cmp -s "$setup_pins" "$setup_stamp" && return 0
+  say "Unpacking the sources of $1/Cargo.toml into build/crates:" \
+    "$(sed -n 's/^\([a-z0-9_-]*\) = "=\([0-9][^"]*\)".*/\1@\2/p' "$root/$1/Cargo.toml" | tr '\n' ' ')"
+  setup_log=$root/build/logs/setup-crates.log
+  mkdir -p "$root/build/logs" "$root/build/crates"
+  if ! CARGO_HOME=$root/build/crates cargo fetch --locked --manifest-path "$root/$1/Cargo.toml" \
+    > "$setup_log" 2>&1 < /dev/null; then
+    tail -n 8 "$setup_log" >&2
+    if setup_unreachable; then
+      fail 3 "the packages of Cargo are out of reach: it could not connect to its registry. Check the network, then run \
+./contact setup again. All of Cargo's words: $setup_log"
+    fi
+    fail 3 "Cargo could not unpack its packages. Its own words are above; all of them: $setup_log"
+  fi
+  cp "$setup_pins" "$setup_stamp"
+}
+
 setup() {
   setup_rows=$(setup_missing "$1")
   setup_wanted=$(printf '%s\n' "$setup_rows" | cut -d '|' -f 1)
@@ -332,5 +355,6 @@ setup() {
   if [ "$setup_level" = benchmarks ]; then
     setup_venv benchmarks venv-benchmarks
     setup_npm benchmarks
+    setup_crates benchmarks/crates
   fi
 }

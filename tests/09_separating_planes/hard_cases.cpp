@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <contact/gap.hpp>
-#include <contact/separation.hpp>
+#include <contact/closed_proximity.hpp>
+#include <contact/signed_distance.hpp>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -96,7 +96,7 @@ Exactly exactly(const contact::Capsule<double>& a, const contact::Capsule<double
                     difference(shape_oracle::zonotope(core(a)), shape_oracle::zonotope(core(b)))),
                 oracle::exact(a.radius) + oracle::exact(b.radius));
 }
-/// The largest gap of the axes in `all`, as g / √n².
+/// The largest separation of the axes in `all`, as g / √n².
 Surd widest(const std::vector<Vector>& all, const shape_oracle::Zonotope& z) {
   std::optional<Surd> best;
   for (const Vector& n : all) {
@@ -169,6 +169,10 @@ double size_of(const contact::OrientedBox<double>& b) {
 }
 double size_of(const contact::HalfSpace<double>& h) { return std::abs(h.boundary.offset); }
 
+int sign_of(contact::Proximity p) {
+  if (p == contact::Proximity::touching) return 0;
+  return p == contact::Proximity::disjoint ? 1 : -1;
+}
 int sign(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
 
 // ---------------------------------------------------------------- the methods to compare with
@@ -203,8 +207,8 @@ double textbook_distance(const contact::Capsule<double>& a, const contact::Capsu
   return between.norm() - a.radius - b.radius;
 }
 
-/// The gap of two boxes along normalised axes; cross products are normalised however short they
-/// are, and left out only if they are exactly 0.
+/// The separation of two boxes along normalised axes; cross products are normalised however short
+/// they are, and left out only if they are exactly 0.
 double textbook_room(const contact::OrientedBox<double>& a, const contact::OrientedBox<double>& b,
                      double skip_below) {
   double most = -INFINITY;
@@ -212,7 +216,7 @@ double textbook_room(const contact::OrientedBox<double>& a, const contact::Orien
     const V n = contact::box_axis(a, b, k);
     const double length = n.norm();
     if (!(length > skip_below)) continue;
-    most = std::max(most, contact::gap_along<double>(a, b, V(n / length)));
+    most = std::max(most, contact::separation_along<double>(a, b, V(n / length)));
   }
   return most;
 }
@@ -249,18 +253,18 @@ int main(int argc, char** argv) {
   });
   runner.method("cases", "float", [](const Case& c, const Json& answer) {
     const double d = with(c, [](const auto& a, const auto& b) {
-      return double(contact::gap(narrow(a), narrow(b)).distance);
+      return double(contact::signed_distance(narrow(a), narrow(b)).distance);
     });
     return sign(d) == answer.at("case").get<int>();
   });
   runner.method("cases", "double", [](const Case& c, const Json& answer) {
-    const double d =
-        with(c, [](const auto& a, const auto& b) { return contact::gap(a, b).distance; });
+    const double d = with(
+        c, [](const auto& a, const auto& b) { return contact::signed_distance(a, b).distance; });
     return sign(d) == answer.at("case").get<int>();
   });
   runner.method("cases", "double, touching within 1e-9", [](const Case& c, const Json& answer) {
-    const double d =
-        with(c, [](const auto& a, const auto& b) { return contact::gap(a, b).distance; });
+    const double d = with(
+        c, [](const auto& a, const auto& b) { return contact::signed_distance(a, b).distance; });
     return (std::abs(d) <= 1e-9 ? 0 : sign(d)) == answer.at("case").get<int>();
   });
   runner.method("cases", "face normals only", are_boxes, [](const Case& c, const Json& answer) {
@@ -268,14 +272,14 @@ int main(int argc, char** argv) {
     const auto b = std::get<contact::OrientedBox<double>>(body(c, "b"));
     double most = -INFINITY;
     for (int k = 0; k < 6; ++k) {
-      most = std::max(most, contact::gap_along<double>(a, b, contact::box_axis(a, b, k)));
+      most = std::max(most, contact::separation_along<double>(a, b, contact::box_axis(a, b, k)));
     }
     return sign(most) == answer.at("case").get<int>();
   });
   runner.method("cases", "book", [](const Case& c, const Json& answer) {
-    const contact::Separation s =
-        with(c, [](const auto& a, const auto& b) { return contact::separation(a, b); });
-    return static_cast<int>(s) == answer.at("case").get<int>();
+    const contact::Proximity s =
+        with(c, [](const auto& a, const auto& b) { return contact::proximity(a, b); });
+    return sign_of(s) == answer.at("case").get<int>();
   });
   runner.question("distance", [](const Case& c) {
     const Surd d = with(c, [](const auto& a, const auto& b) { return exactly(a, b).distance; });
@@ -297,7 +301,8 @@ int main(int argc, char** argv) {
                      c, answer);
       });
   runner.method("distance", "book", [](const Case& c, const Json& answer) {
-    return close(with(c, [](const auto& a, const auto& b) { return contact::gap(a, b).distance; }),
+    return close(with(c, [](const auto& a,
+                            const auto& b) { return contact::signed_distance(a, b).distance; }),
                  c, answer);
   });
   return runner.run(argc, argv);

@@ -27,8 +27,9 @@ inline Vector3<double> direction(Random& random) {
 }
 /// A stored rotation by a random angle.
 inline contact::Matrix3<double> turn(Random& random) {
+  const double angle = random.uniform(0, 3);
   return contact::matrix_of(
-      contact::exponential<double>(Vector3<double>(direction(random) * random.uniform(0, 3))));
+      contact::exponential<double>(Vector3<double>(direction(random) * angle)));
 }
 
 }  // namespace random_poses

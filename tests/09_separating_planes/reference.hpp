@@ -119,7 +119,8 @@ inline oracle::Surd widest(const ExactBox& a, const ExactBox& b) {
     const Vector n = contact::box_axis<Rational>(a, b, k);
     const Rational squared = n.dot(n);
     if (squared == 0) continue;
-    const auto room = oracle::divided_by_root(contact::gap_along<Rational>(a, b, n), squared);
+    const auto room =
+        oracle::divided_by_root(contact::separation_along<Rational>(a, b, n), squared);
     if (!best || oracle::compare(room, *best) > 0) best = room;
   }
   return *best;

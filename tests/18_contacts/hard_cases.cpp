@@ -9,10 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <contact/closed_proximity.hpp>
 #include <contact/contact_lcp.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
-#include <contact/separation.hpp>
 #include <vector>
 
 #include "09_separating_planes/shape_oracle.hpp"
@@ -204,17 +204,19 @@ void add_points(hard_cases::Runner& runner) {
     return Json{{"class", "a"}, {"points", exact_points(c)}};
   });
   runner.method("points", "the deepest point", [](const Case& c, const Json& answer) {
-    const double d = c.has("b_normal") ? contact::gap(box(c, "a"), half_space(c)).distance
-                                       : contact::gap(box(c, "a"), box(c, "b")).distance;
+    const double d = c.has("b_normal")
+                         ? contact::signed_distance(box(c, "a"), half_space(c)).distance
+                         : contact::signed_distance(box(c, "a"), box(c, "b")).distance;
     return (d <= c.number("margin") ? 1 : 0) == answer.at("points").get<int>();
   });
   runner.method("points", "A's corners inside B", [](const Case& c, const Json& answer) {
     int count = 0;
     for (int k = 0; k < 8; ++k) {
       const V p = contact::box_corner(box(c, "a"), k);
-      const double d = c.has("b_normal")
-                           ? contact::gap(contact::Sphere<double>{p, 0}, half_space(c)).distance
-                           : contact::gap(contact::Sphere<double>{p, 0}, box(c, "b")).distance;
+      const double d =
+          c.has("b_normal")
+              ? contact::signed_distance(contact::Sphere<double>{p, 0}, half_space(c)).distance
+              : contact::signed_distance(contact::Sphere<double>{p, 0}, box(c, "b")).distance;
       count += d <= c.number("margin") ? 1 : 0;
     }
     return count == answer.at("points").get<int>();

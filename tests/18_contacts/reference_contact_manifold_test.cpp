@@ -119,9 +119,9 @@ TEST_CASE("the points of two boxes lie midway between both surfaces, for any pos
     const Box b = box(random);
     const double room = 128 * u * (size_of(a) + size_of(b));
     const auto manifold = contact::contact_manifold(a, b, 0.0);
-    const auto gap = contact::gap(a, b);
-    if (gap.distance > room) CHECK(manifold.points.empty());
-    if (gap.distance < -room) CHECK_FALSE(manifold.points.empty());
+    const auto between = contact::signed_distance(a, b);
+    if (between.distance > room) CHECK(manifold.points.empty());
+    if (between.distance < -room) CHECK_FALSE(manifold.points.empty());
     CHECK(manifold.points.size() <= 8);
     faces += manifold.points.size() > 1 ? 1 : 0;
     edges += manifold.points.size() == 1 ? 1 : 0;
@@ -149,8 +149,8 @@ TEST_CASE("where corners meet the normal is the same in every run") {
   const auto back = contact::contact_manifold(b, a, 0.0);
   CHECK(back.normal == V(-1, 0, 0));
   CHECK(back.points.size() == 1);
-  // A gap on the diagonal: no face normal shows the distance, and the margin applies to the true
-  // distance.
+  // A between on the diagonal: no face normal shows the distance, and the margin applies to the
+  // true distance.
   const Box off{V(2.01, 2.01, 2.01), Matrix3<double>::Identity(), V(1, 1, 1)};
   CHECK(contact::contact_manifold(off, b, 0.015).points.empty());
   const auto near = contact::contact_manifold(off, b, 0.02);

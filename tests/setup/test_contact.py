@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import time
+import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -361,6 +362,14 @@ def test_the_peers_of_the_benchmarks_are_pinned() -> None:
     page = json.loads((ROOT / "page/package.json").read_text())["dependencies"]
     assert wanted["three"] == page["three"]
 
+    crates = tomllib.loads((ROOT / "benchmarks/crates/Cargo.toml").read_text())["dependencies"]
+    lock = tomllib.loads((ROOT / "benchmarks/crates/Cargo.lock").read_text())["package"]
+    assert "box3d-sys" in crates
+    for name, version in crates.items():
+        (package,) = [package for package in lock if package["name"] == name]
+        assert version == f"={package['version']}"
+        assert re.fullmatch("[0-9a-f]{64}", package["checksum"])
+
 
 @pytest.mark.parametrize(
     ("level", "expected"),
@@ -375,6 +384,7 @@ def test_the_peers_of_the_benchmarks_are_pinned() -> None:
                 "npm page",
                 "venv benchmarks venv-benchmarks",
                 "npm benchmarks",
+                "crates benchmarks/crates",
             ],
         ),
     ],
@@ -385,6 +395,7 @@ setup_missing() { :; }
 setup_browser() { :; }
 setup_venv() { echo "venv $*"; }
 setup_npm() { echo "npm $*"; }
+setup_crates() { echo "crates $*"; }
 setup "$0"
 """
     done = subprocess.run(

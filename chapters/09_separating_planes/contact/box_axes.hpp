@@ -57,16 +57,16 @@ S projected_radius(const OrientedBox<S>& box, const Vector3<S>& n) {
   return half_extent;
 }
 
-// [axis-gap]
-/// The signed gap between the projections of two boxes on n, times |n|: positive if a plane
+// [separation-along]
+/// The signed separation between the projections of two boxes on n, times |n|: positive if a plane
 /// perpendicular to n separates them, 0 if both touch such a plane from its two sides, negative if
 /// the projections overlap.
 template <Ring S>
-S gap_along(const OrientedBox<S>& a, const OrientedBox<S>& b, const Vector3<S>& n) {
+S separation_along(const OrientedBox<S>& a, const OrientedBox<S>& b, const Vector3<S>& n) {
   const Vector3<S> between = a.centre - b.centre;
   return detail::magnitude<S>(n.dot(between)) - projected_radius(a, n) - projected_radius(b, n);
 }
-// [/axis-gap]
+// [/separation-along]
 
 namespace detail {
 
@@ -74,14 +74,15 @@ namespace detail {
 /// underflow does not matter beside a bound of at least 2^-600.
 inline bool in_filter_range(double size) { return size >= 0x1p-600 && size <= 0x1p600; }
 
-/// The sign of the gap along axis k: 1, 0 or −1, and 2 for an axis that is exactly 0.
+/// The sign of the separation along axis k: 1, 0 or −1, and 2 for an axis that is exactly 0.
 ///
 /// Floating-point filter first. The error of each entry of the axis is at most γ(2) Mᵢ, where Mᵢ is
-/// the sum of the absolute values of its products. A term of the gap has at most 14 roundings: two
-/// in the axis, one in the difference of the centres or the product with a half length, three in
-/// the dot product, and eight in the sums. So the error of the gap is at most γ(14) (M · |between|
+/// the sum of the absolute values of its products. A term of the separation has at most 14
+/// roundings: two in the axis, one in the difference of the centres or the product with a half
+/// length, three in the dot product, and eight in the sums. So the error of the separation is at
+/// most γ(14) (M · |between|
 /// + Σ hᵢ M · |aᵢ| + Σ hⱼ M · |bⱼ|); γ(32) includes the rounding of the bound.
-inline int sign_of_gap(const OrientedBox<double>& a, const OrientedBox<double>& b, int k) {
+inline int sign_of_separation(const OrientedBox<double>& a, const OrientedBox<double>& b, int k) {
   const Vector3<double> u = k < 6 ? (k < 3 ? a : b).axes.col((k + 1) % 3) : a.axes.col((k - 6) / 3);
   const Vector3<double> v = k < 6 ? (k < 3 ? a : b).axes.col((k + 2) % 3) : b.axes.col((k - 6) % 3);
   const Vector3<double> products(std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()),
@@ -91,10 +92,10 @@ inline int sign_of_gap(const OrientedBox<double>& a, const OrientedBox<double>& 
   const Vector3<double> half_extent_b = b.axes.cwiseAbs() * b.half_lengths.cwiseAbs();
   const Vector3<double> all = (a.centre - b.centre).cwiseAbs() + half_extent_a + half_extent_b;
   const double size = products.dot(all);
-  const double gap = gap_along<double>(a, b, box_axis(a, b, k));
+  const double separation = separation_along<double>(a, b, box_axis(a, b, k));
   const double bound = tolerance::gamma<double>(32) * size + 0x1p-1060 * (1 + all.sum());
-  if (in_filter_range(size) && std::abs(gap) > bound) {
-    return gap > 0 ? 1 : -1;
+  if (in_filter_range(size) && std::abs(separation) > bound) {
+    return separation > 0 ? 1 : -1;
   }
   const auto exact = [](const OrientedBox<double>& box) {
     OrientedBox<Exact> e{exact_vector<double>(box.centre), Matrix3<Exact>(),
@@ -106,7 +107,7 @@ inline int sign_of_gap(const OrientedBox<double>& a, const OrientedBox<double>& 
   const OrientedBox<Exact> eb = exact(b);
   const Vector3<Exact> n = box_axis(ea, eb, k);
   if (n == Vector3<Exact>::Zero()) return 2;
-  return gap_along(ea, eb, n).sign();
+  return separation_along(ea, eb, n).sign();
 }
 
 }  // namespace detail

@@ -24,7 +24,7 @@ struct ClosestPoints {
 namespace detail {
 
 template <std::floating_point S>
-S squared_gap(const ClosestPoints<S>& points) {
+S squared_between(const ClosestPoints<S>& points) {
   const Vector3<S> between = points.on_a - points.on_b;
   return between.dot(between);
 }
@@ -40,7 +40,7 @@ Vector3<S> point_at(const Segment<S>& segment, const S& t) {
 /// Keeps the closer of two pairs; of equal ones the first.
 template <std::floating_point S>
 void keep_nearer(ClosestPoints<S>& best, const ClosestPoints<S>& other) {
-  if (squared_gap(other) < squared_gap(best)) best = other;
+  if (squared_between(other) < squared_between(best)) best = other;
 }
 
 template <std::floating_point S>
@@ -94,6 +94,9 @@ Vector2<S> crossing_fractions(const Segment<S>& a, const Segment<S>& b) {
   if constexpr (std::numeric_limits<S>::digits <= 53) {
     if (!(whole > lengths * S(0x1p-24))) {
       if (d == Vector3<S>::Zero() || e == Vector3<S>::Zero()) return none;
+      const bool finite =
+          all_finite(a.start) && all_finite(a.end) && all_finite(b.start) && all_finite(b.end);
+      if (!finite) return none;
       const Vector3<Exact> start = exact_vector(a.start);
       const Vector3<Exact> other = exact_vector(b.start);
       const Vector3<Exact> exact_d = exact_vector(a.end) - start;
@@ -117,7 +120,6 @@ Vector2<S> crossing_fractions(const Segment<S>& a, const Segment<S>& b) {
 // [segments]
 /// The closest points of two segments, which may be parallel or of length 0.
 ///
-/// Four candidates are an end of one segment and the closest point of the other. The fifth is the
 /// Four candidates are an end of one segment and the closest point of the other. The fifth is the
 /// pair of closest points of the lines, if it lies between the ends; the sixth projects these
 /// points onto the segments once more, which removes the effect of rounding. The closest pair is

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <contact/closest_points.hpp>
@@ -113,14 +114,17 @@ Vector3<S> lowest_of(const std::vector<Vector3<S>>& points, const Vector3<S>& n)
 }
 
 /// The deepest point over the face of `box`, of the other box's incident face (that which faces
-/// against `outward`); if no point is over it, the deepest corner of that face.
+/// against `outward`); nothing if no point is over it, as rounding may have it for boxes that touch
+/// at an edge.
 template <std::floating_point S>
-Vector3<S> deepest_over_face(const OrientedBox<S>& box, int axis, const Vector3<S>& outward,
-                             const OrientedBox<S>& other) {
+std::optional<Vector3<S>> deepest_over_face(const OrientedBox<S>& box, int axis,
+                                            const Vector3<S>& outward,
+                                            const OrientedBox<S>& other) {
   const BoxFace<S> face = face_towards<S>(other, Vector3<S>(-outward));
   const std::vector<Vector3<S>> whole(face.corners.begin(), face.corners.end());
   const std::vector<Vector3<S>> over = polygon_over_face<S>(whole, box, axis);
-  return lowest_of<S>(over.empty() ? whole : over, outward);
+  if (over.empty()) return std::nullopt;
+  return lowest_of<S>(over, outward);
 }
 
 /// The point closest to the start of a segment, of its part over a face of a box; the start if

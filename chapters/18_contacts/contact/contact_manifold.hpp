@@ -11,7 +11,7 @@
 
 #include <contact/convex_shapes.hpp>
 #include <contact/face_clipping.hpp>
-#include <contact/gap.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -50,9 +50,9 @@ void add_manifold_point(ContactManifold<S>& manifold, const Vector3<S>& on_a, co
 }
 
 template <std::floating_point S>
-ContactManifold<S> single_point(const Gap<S>& gap, const S& margin) {
-  ContactManifold<S> manifold{gap.normal, {}};
-  add_manifold_point<S>(manifold, gap.on_a, gap.distance, margin);
+ContactManifold<S> single_point(const SignedDistance<S>& between, const S& margin) {
+  ContactManifold<S> manifold{between.normal, {}};
+  add_manifold_point<S>(manifold, between.on_a, between.distance, margin);
   return manifold;
 }
 
@@ -64,22 +64,22 @@ ContactManifold<S> single_point(const Gap<S>& gap, const S& margin) {
 /// and overlapping bodies have points, up to rounding
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
-  return detail::single_point(gap(a, b), margin);
+  return detail::single_point(signed_distance(a, b), margin);
 }
 /// A sphere and a capsule: one point.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const Capsule<S>& b, const S& margin) {
-  return detail::single_point(gap(a, b), margin);
+  return detail::single_point(signed_distance(a, b), margin);
 }
 /// A sphere and a box: one point.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const OrientedBox<S>& b, const S& margin) {
-  return detail::single_point(gap(a, b), margin);
+  return detail::single_point(signed_distance(a, b), margin);
 }
 /// A sphere and a half-space: one point.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const HalfSpace<S>& b, const S& margin) {
-  return detail::single_point(gap(a, b), margin);
+  return detail::single_point(signed_distance(a, b), margin);
 }
 // [/single]
 
@@ -93,7 +93,7 @@ inline constexpr S parallel_sine = S(0x1p-6);
 /// overlap of their cores.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Capsule<S>& a, const Capsule<S>& b, const S& margin) {
-  const Gap<S> near = gap(a, b);
+  const SignedDistance<S> near = signed_distance(a, b);
   const Vector3<S> d = a.core.end - a.core.start;
   const Vector3<S> e = b.core.end - b.core.start;
   const S whole = d.dot(d);
@@ -135,7 +135,7 @@ ContactManifold<S> contact_manifold(const Capsule<S>& a, const HalfSpace<S>& b, 
 /// the ends of the part of its core above the face.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b, const S& margin) {
-  const Gap<S> near = gap(a, b);
+  const SignedDistance<S> near = signed_distance(a, b);
   const Vector3<S>& n = near.normal;
   const Vector3<S> d = a.core.end - a.core.start;
   int axis = 0;
@@ -213,7 +213,7 @@ ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const OrientedBox<S
   const S slack =
       face_preference<S> * std::min(a.half_lengths.minCoeff(), b.half_lengths.minCoeff());
   if (edges.axis >= 0 && edges.separation > face.separation + slack) {
-    return detail::single_point(gap(a, b), margin);
+    return detail::single_point(signed_distance(a, b), margin);
   }
   const bool of_a = face.axis < 3;
   const int axis = face.axis % 3;
@@ -230,7 +230,7 @@ ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const OrientedBox<S
     const Vector3<S> on_a = of_a ? Vector3<S>(p - outward * distance) : p;
     detail::add_manifold_point<S>(manifold, on_a, distance, margin);
   }
-  if (manifold.points.empty()) return detail::single_point(gap(a, b), margin);
+  if (manifold.points.empty()) return detail::single_point(signed_distance(a, b), margin);
   return manifold;
 }
 // [/boxes]

@@ -14,10 +14,10 @@
 
 #include <contact/contact_lcp.hpp>
 #include <contact/frame.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/rigid_body.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {

@@ -13,7 +13,6 @@
 #include <contact/contact_solver.hpp>
 #include <contact/convex_shapes.hpp>
 #include <contact/events/hard_sphere_scene.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/plan/plan.hpp>
@@ -24,6 +23,7 @@
 #include <contact/scene/free_flight_run.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/stepped_run.hpp>
 #include <contact/stepped/stepped_state.hpp>
@@ -66,7 +66,7 @@ CONTACT_SCENES_INLINE double min_gap(const Scene& scene, const SceneRun& run, st
           outer_radius(scene.bodies[k].shape) + outer_radius(scene.bodies[i].shape);
       if (size_of(apart) - reach > least) continue;
     }
-    least = std::min(least, gap_of_shapes(own, shape(k)).distance);
+    least = std::min(least, signed_distance_of_shapes(own, shape(k)).distance);
   }
   return least;
 }

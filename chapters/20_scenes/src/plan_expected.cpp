@@ -9,7 +9,6 @@
 
 #include <contact/broad_phase_cost.hpp>
 #include <contact/closest_points.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_costs.hpp>
@@ -18,6 +17,7 @@
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stage_motion.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>

@@ -14,13 +14,13 @@
 #include <contact/ballistic.hpp>
 #include <contact/closest_points.hpp>
 #include <contact/convex_hull.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/sphere_sphere_impact.hpp>
 #include <contact/vector.hpp>
 

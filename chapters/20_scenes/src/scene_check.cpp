@@ -14,11 +14,11 @@
 
 #include <contact/closest_points.hpp>
 #include <contact/convex_hull.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {

@@ -11,12 +11,12 @@
 #include <contact/capsule.hpp>
 #include <contact/closest_points.hpp>
 #include <contact/convex_hull.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/pose.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -232,7 +232,9 @@ CONTACT_SCENES_INLINE std::optional<double> starting_gap(const SceneBody& a, con
   if (ball_a) return detail::scene_point_gap(a.position, b) - ball_a->radius;
   if (ball_b) return detail::scene_point_gap(b.position, a) - ball_b->radius;
   return std::visit(
-      [](const auto& x, const auto& y) { return std::min(gap(x, y).distance, gap(y, x).distance); },
+      [](const auto& x, const auto& y) {
+        return std::min(signed_distance(x, y).distance, signed_distance(y, x).distance);
+      },
       detail::scene_solid(a), detail::scene_solid(b));
 }
 

@@ -13,10 +13,10 @@
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
 #include <contact/frame.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stage_pairs.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
@@ -32,19 +32,20 @@ CONTACT_SCENES_INLINE HullVertices transformed(const HullVertices& shape,
   return moved;
 }
 
-CONTACT_SCENES_INLINE Gap<double> gap_of_shapes(const StepShape& a, const StepShape& b) {
+CONTACT_SCENES_INLINE SignedDistance<double> signed_distance_of_shapes(const StepShape& a,
+                                                                       const StepShape& b) {
   return std::visit(
-      [](const auto& one, const auto& other) -> Gap<double> {
+      [](const auto& one, const auto& other) -> SignedDistance<double> {
         using A = std::decay_t<decltype(one)>;
         using B = std::decay_t<decltype(other)>;
         if constexpr (!has_narrow_phase<A, B>) {
-          Gap<double> none;
+          SignedDistance<double> none;
           none.distance = std::numeric_limits<double>::infinity();
           return none;
         } else if constexpr (std::same_as<A, HullVertices>) {
-          return gap<double>(one.points, 0.0, other);
+          return signed_distance<double>(one.points, 0.0, other);
         } else {
-          return gap(one, other);
+          return signed_distance(one, other);
         }
       },
       a, b);
@@ -104,7 +105,7 @@ CONTACT_SCENES_INLINE void place_shapes(const SteppedSetup& setup, const Stepped
 /// The contact points of a touching pair; at least the nearest one.
 CONTACT_SCENES_INLINE ContactManifold<double> manifold_with_gap(const StepShape& a,
                                                                 const StepShape& b,
-                                                                const Gap<double>& gap,
+                                                                const SignedDistance<double>& gap,
                                                                 const NearPair& pair) {
   ContactManifold<double> manifold =
       manifold_of_shapes(a, b, std::max(pair.near, pair.closing_distance));
@@ -199,7 +200,7 @@ CONTACT_SCENES_INLINE void find_touching_pairs(const SteppedSetup& setup, Steppe
       for (const auto& point : pair.manifold.points)
         pair.distance = std::min(pair.distance, point.distance);
     } else {
-      const Gap<double> gap = gap_of_shapes(a, b);
+      const SignedDistance<double> gap = signed_distance_of_shapes(a, b);
       pair.distance = gap.distance;
       if (pair.distance <= pair.near) pair.manifold = detail::manifold_with_gap(a, b, gap, pair);
     }

@@ -9,11 +9,11 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/step_solver.hpp>
 #include <contact/stepped/stepped_state.hpp>

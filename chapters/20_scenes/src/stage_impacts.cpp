@@ -9,13 +9,13 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/spring_damper.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/step_solver.hpp>

@@ -15,13 +15,13 @@
 #include <contact/contact_solver.hpp>
 #include <contact/convex_shapes.hpp>
 #include <contact/frame.hpp>
-#include <contact/gap.hpp>
 #include <contact/grid_pairs.hpp>
 #include <contact/inertia.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/pose.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 

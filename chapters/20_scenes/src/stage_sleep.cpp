@@ -8,10 +8,10 @@
 
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 

@@ -13,12 +13,12 @@
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
 #include <contact/convex_shapes.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/stage_motion.hpp>
 #include <contact/stepped/stepped_state.hpp>
@@ -196,7 +196,7 @@ CONTACT_SCENES_INLINE std::optional<double> pair_impact(const SteppedSetup& setu
   for (int look = 0; look < 64; ++look) {
     const auto one = detail::moved_body(setup, state, substep, pair.a, a, t);
     const auto other = detail::moved_body(setup, state, substep, pair.b, b, t);
-    const Gap<double> gap = gap_of_shapes(one.shape, other.shape);
+    const SignedDistance<double> gap = signed_distance_of_shapes(one.shape, other.shape);
     const bool leaves = look == 0 && pair.leaving;
     if (!leaves && gap.distance <= pair.touch) return t;
     const Vector3<double>& n = gap.normal;

@@ -10,12 +10,12 @@
 #include <contact/contact_active_set.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene_run.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 

@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include <contact/gap.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/plan/plan_rules.hpp>
 #include <contact/plan/plan_types.hpp>
@@ -18,6 +17,7 @@
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/stage_forces.hpp>
 #include <contact/stepped/stage_pairs.hpp>

@@ -24,12 +24,12 @@
 #include <contact/broad_phase_cost.hpp>
 #include <contact/closest_points.hpp>
 #include <contact/convex_hull.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_costs.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/scene.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {

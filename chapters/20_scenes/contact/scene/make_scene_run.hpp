@@ -13,11 +13,11 @@
 #include <contact/contact_solver.hpp>
 #include <contact/events/hard_sphere_run.hpp>
 #include <contact/events/hard_sphere_scene.hpp>
-#include <contact/gap.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {

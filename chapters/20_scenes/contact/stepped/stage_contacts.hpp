@@ -10,10 +10,10 @@
 #include <contact/contact_world.hpp>
 #include <contact/convex_shapes.hpp>
 #include <contact/frame.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/pose.hpp>
 #include <contact/quaternion.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 
@@ -32,7 +32,7 @@ inline constexpr bool has_narrow_phase =
               !(std::same_as<A, HalfSpace<double>> && std::same_as<B, HalfSpace<double>>);
 
 /// The signed distance of two shapes in the world; infinite if there is no narrow phase for them.
-Gap<double> gap_of_shapes(const StepShape& a, const StepShape& b);
+SignedDistance<double> signed_distance_of_shapes(const StepShape& a, const StepShape& b);
 
 /// The points at which two shapes are at most the margin apart.
 ContactManifold<double> manifold_of_shapes(const StepShape& a, const StepShape& b, double margin);

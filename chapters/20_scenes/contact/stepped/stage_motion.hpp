@@ -8,10 +8,10 @@
 #include <cstddef>
 
 #include <contact/contact_manifold.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 

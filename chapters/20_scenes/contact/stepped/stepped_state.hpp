@@ -15,13 +15,13 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/convex_shapes.hpp>
-#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
+#include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {

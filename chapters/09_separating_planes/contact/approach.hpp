@@ -1,0 +1,87 @@
+/// @file
+/// The three conditions of two bodies in contact, by their relative velocity: separating, resting
+/// or colliding.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+#include <contact/exact.hpp>
+#include <contact/plane.hpp>
+#include <contact/running_error.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [motion]
+/// What two bodies in contact do: the sign of the relative velocity along the normal, which leads
+/// from B to A.
+enum class Motion {
+  separating,  ///< they move apart: v · n > 0
+  resting,     ///< the contact remains, to first order: v · n = 0. The lecture calls it "contact"
+  colliding    ///< they move into each other: v · n < 0
+};
+// [/motion]
+
+/// The velocity of a body that moves and rotates.
+template <Ring S>
+struct BodyVelocity {
+  Vector3<S> centre = Vector3<S>::Zero();            ///< a point of the body, m
+  Vector3<S> velocity = Vector3<S>::Zero();          ///< of that point, m/s
+  Vector3<S> angular_velocity = Vector3<S>::Zero();  ///< in world coordinates, rad/s
+};
+
+namespace detail {
+
+inline Motion motion_of_sign(int sign) {
+  if (sign == 0) return Motion::resting;
+  return sign > 0 ? Motion::separating : Motion::colliding;
+}
+
+/// n · (v + ω × (p − centre)) of A minus that of B, in a number type.
+template <class T>
+T approach_speed(const BodyVelocity<double>& a, const BodyVelocity<double>& b,
+                 const Vector3<double>& point, const Vector3<double>& normal) {
+  const Triple<T> p = triple<T>(point), n = triple<T>(normal);
+  const auto of_body = [&](const BodyVelocity<double>& body) {
+    const Triple<T> lever = minus(p, triple<T>(body.centre));
+    return dot(n, triple<T>(body.velocity)) +
+           dot(n, cross(triple<T>(body.angular_velocity), lever));
+  };
+  return of_body(a) - of_body(b);
+}
+
+}  // namespace detail
+
+// [approach]
+/// Whether two bodies that touch at a point separate, rest or collide there.
+///
+/// Exact for the stored numbers: a floating-point filter, then exact arithmetic. A velocity along a
+/// face or the rotation about an axis through the point therefore rests, and is not a rounded ±1e-17.
+/// @param normal from B to A, of any length but 0
+/// @return resting if a number is not finite
+inline Motion motion_in_contact(const BodyVelocity<double>& a, const BodyVelocity<double>& b,
+                                const Vector3<double>& point, const Vector3<double>& normal) {
+  const RunningError rounded = detail::approach_speed<RunningError>(a, b, point, normal);
+  const int certain = rounded.certain_sign();
+  if (certain != 0 && std::isfinite(rounded.bound)) return detail::motion_of_sign(certain);
+  const auto is_finite = [](const BodyVelocity<double>& body) {
+    return all_finite(body.centre) && all_finite(body.velocity) &&
+           all_finite(body.angular_velocity);
+  };
+  if (!is_finite(a) || !is_finite(b) || !all_finite(point) || !all_finite(normal)) {
+    return Motion::resting;
+  }
+  return detail::motion_of_sign(detail::approach_speed<Exact>(a, b, point, normal).sign());
+}
+
+/// The same for bodies that do not rotate.
+/// @param velocity of A relative to B, m/s
+inline Motion motion_in_contact(const Vector3<double>& velocity, const Vector3<double>& normal) {
+  BodyVelocity<double> a;
+  a.velocity = velocity;
+  return motion_in_contact(a, {}, Vector3<double>::Zero(), normal);
+}
+// [/approach]
+
+}  // namespace contact
