@@ -30,7 +30,7 @@ struct SeparatingPlane {
   Vector3<double> normal = Vector3<double>::Zero();
   /// If it is not 0, the normal: for bodies so close that no vector of doubles need separate them.
   /// `normal` is then rounded from it.
-  Vector3<Exact> exact_normal = Vector3<Exact>::Zero();
+  Vector3<Exact> exact_normal;
 };
 // [/separating-plane]
 
