@@ -38,8 +38,8 @@ namespace contact {
 /// are ∞.
 struct CertifiedProximity {
   Proximity state = Proximity::undecided;
-  SeparatingPlane plane;  ///< see separates() and separates_weakly()
-  CommonPoint common;     ///< see overlap_proved() and meeting_proved()
+  SeparatingPlane plane;    ///< see separates() and separates_weakly()
+  CommonPointProof common;  ///< see overlap_proved() and meeting_proved()
   double low = -std::numeric_limits<double>::infinity();  ///< m
   double high = std::numeric_limits<double>::infinity();  ///< m
 };
@@ -79,7 +79,7 @@ double separation_down(const A& a, const B& b, const Vector3<double>& n) {
 }
 
 /// The vertices of GJK's simplex as members, with its weights.
-inline void set_members(CommonPoint& common, const GjkResult<double>& near) {
+inline void set_members(CommonPointProof& common, const GjkResult<double>& near) {
   common.count = near.count;
   for (std::size_t i = 0; i < std::size_t(near.count); ++i) {
     common.of_a[i].vertex = near.simplex[i].a;
@@ -89,8 +89,8 @@ inline void set_members(CommonPoint& common, const GjkResult<double>& near) {
 }
 
 /// Differences as members, without weights.
-inline CommonPoint members_of(std::span<const ExactDifference> differences) {
-  CommonPoint common;
+inline CommonPointProof members_of(std::span<const ExactDifference> differences) {
+  CommonPointProof common;
   common.count = static_cast<int>(differences.size());
   for (std::size_t i = 0; i < differences.size(); ++i) {
     common.of_a[i].vertex = differences[i].of.a;
@@ -100,7 +100,7 @@ inline CommonPoint members_of(std::span<const ExactDifference> differences) {
 }
 
 /// Weights without rounding, and as doubles of sum 1.
-inline void set_weights(CommonPoint& common, std::span<const Exact> weights) {
+inline void set_weights(CommonPointProof& common, std::span<const Exact> weights) {
   Exact sum;
   common.exact_weights.assign(weights.begin(), weights.begin() + common.count);
   for (const Exact& weight : common.exact_weights) sum += weight;
@@ -111,7 +111,7 @@ inline void set_weights(CommonPoint& common, std::span<const Exact> weights) {
 
 /// Weights for drawing of differences that surround the origin: those of a subset of at most four
 /// whose hull contains it.
-inline void set_weights_for_drawing(CommonPoint& common,
+inline void set_weights_for_drawing(CommonPointProof& common,
                                     std::span<const ExactDifference> differences) {
   for (unsigned subset = 1; subset < 1U << differences.size(); ++subset) {
     std::vector<ExactDifference> chosen;

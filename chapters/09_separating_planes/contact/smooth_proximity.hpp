@@ -46,8 +46,9 @@ Member farthest_member(const Body& body, const Vector3<double>& n, const Vector3
 /// The points of GJK's simplex as members: vertices of cores, and points of smooth bodies pulled
 /// inside. Without members if some point cannot be.
 template <ConvexBody A, ConvexBody B>
-CommonPoint pulled_members(const GjkResult<double>& near, const A& a, const B& b, double first) {
-  CommonPoint common;
+CommonPointProof pulled_members(const GjkResult<double>& near, const A& a, const B& b,
+                                double first) {
+  CommonPointProof common;
   set_members(common, near);
   const Vector3<double> of_a = inner_point(a), of_b = inner_point(b);
   for (std::size_t i = 0; i < std::size_t(near.count); ++i) {
@@ -127,13 +128,13 @@ class SmoothSearch {
     answer_.state = Proximity::disjoint;
     return true;
   }
-  bool overlapping(const CommonPoint& common) {
+  bool overlapping(const CommonPointProof& common) {
     answer_ = {Proximity::overlapping, {}, common, 0, 0};
     return true;
   }
 
   /// Takes an upper bound of the distance from members, which may prove an overlap.
-  bool use_members(const CommonPoint& common) {
+  bool use_members(const CommonPointProof& common) {
     const BoundedDifferences w = bounded_differences(common, a_, b_);
     const Radii radii = radii_beyond(common, a_, b_);
     const double reach = sum_down(radii.of_a, radii.of_b);
@@ -201,7 +202,7 @@ class SmoothSearch {
   bool surrounded(const std::vector<ExactDifference>& points,
                   const std::vector<std::pair<Member, Member>>& members) {
     const std::vector<ExactDifference> few = fewest_surrounding(points);
-    CommonPoint common;
+    CommonPointProof common;
     common.count = static_cast<int>(few.size());
     for (std::size_t i = 0; i < few.size(); ++i) {
       std::tie(common.of_a[i], common.of_b[i]) = members[std::size_t(few[i].of.a)];
@@ -239,7 +240,7 @@ class SmoothSearch {
     }
     for (const Vector3<double>& p : points) {
       if (!contains(a_, p) || !contains(b_, p)) continue;
-      CommonPoint common;
+      CommonPointProof common;
       common.count = 1;
       common.of_a[0] = common.of_b[0] = {-1, p};
       common.weights[0] = 1;
