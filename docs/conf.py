@@ -59,7 +59,7 @@ nitpicky = True
 # Other libraries, template parameters and what headers keep to themselves have no page here.
 nitpick_ignore_regex = [
     (r"cpp:identifier", r"Eigen(::.*)?|nlohmann(::.*)?|std(::.*)?|S|T|Value|u?int\d+_t|size_t"),
-    (r"cpp:identifier", r".*<(S|double|E\.dimension)>::.*"),
+    (r"cpp:identifier", r".*<(S|double|Exact|E\.dimension)>::.*"),
     (
         r"cpp:identifier",
         r"(contact::)?(detail|internal)(::.*)?|contact(::(tolerance|cost|scenes))?",

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <functional>
@@ -19,8 +20,13 @@
 
 namespace careful {
 
+/// Of processor time, for one pair.
+inline constexpr int patience_in_milliseconds = 300;
+inline constexpr std::size_t most_ended = 10;
+
 /// The pairs of which a program can be asked. It is asked of one after the other in a process of
-/// its own; where that ends, another begins after the pair.
+/// its own; where that ends, another begins after the pair. After `most_ended` of them it is asked
+/// no more, and none of the rest counts as answered.
 /// @param prepare as in PairTest
 template <class Answer>
 std::vector<char> answered(
@@ -30,13 +36,14 @@ std::vector<char> answered(
   auto* next = static_cast<std::size_t*>(mmap(nullptr, sizeof(std::size_t), PROT_READ | PROT_WRITE,
                                               MAP_SHARED | MAP_ANONYMOUS, -1, 0));
   *next = 0;
-  while (*next < pairs.size()) {
+  std::size_t ended = 0;
+  while (*next < pairs.size() && ended < most_ended) {
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
       if (std::freopen("/dev/null", "w", stderr) == nullptr) comparison::leave(1);
       for (; *next < pairs.size(); ++*next) {
-        const itimerval limit{{0, 0}, {5, 0}};
+        const itimerval limit{{0, 0}, {0, 1000 * patience_in_milliseconds}};
         setitimer(ITIMER_PROF, &limit, nullptr);  // of processor time, then it is ended
         std::vector<Answer> answer(1);
         prepare({pairs[*next]})(answer);
@@ -45,29 +52,31 @@ std::vector<char> answered(
     }
     int status = 1;
     waitpid(child, &status, 0);
-    if (*next < pairs.size()) fine[(*next)++] = 0;
+    if (*next < pairs.size()) {
+      ++ended;
+      fine[(*next)++] = 0;
+    }
   }
+  for (std::size_t i = *next; i < pairs.size(); ++i) fine[i] = 0;
   munmap(next, sizeof(std::size_t));
   return fine;
 }
 
 /// The pairs with those that end the program replaced by one that does not; tells how many. Nothing
-/// is left if all end it.
+/// is left if too many end it.
 inline peers::Pairs without(const std::vector<char>& fine, const peers::Pairs& pairs,
                             const std::string& title) {
-  std::size_t kept = 0;
+  const auto ended = static_cast<std::size_t>(std::count(fine.begin(), fine.end(), 0));
+  if (ended == 0) return pairs;
+  const bool too_many = ended >= std::min(most_ended, fine.size());
+  std::printf("%s: %s%zu pairs end the program or take %d ms, and %s left out\n", title.c_str(),
+              too_many ? "at least " : "", too_many ? std::min(most_ended, ended) : ended,
+              patience_in_milliseconds, too_many ? "it is" : "these are");
+  if (too_many) return {};
   peers::Pairs made = pairs;
-  while (kept < fine.size() && fine[kept] == 0) ++kept;
-  if (kept == fine.size()) made.clear();
-  std::size_t ended = 0;
+  const auto kept = std::find(fine.begin(), fine.end(), 1) - fine.begin();
   for (std::size_t i = 0; i < fine.size(); ++i) {
-    if (fine[i] != 0) continue;
-    ++ended;
-    if (!made.empty()) made[i] = pairs[kept];
-  }
-  if (ended > 0) {
-    std::printf("%s: %zu pairs end the program or take 5 s, and are left out\n", title.c_str(),
-                ended);
+    if (fine[i] == 0) made[i] = pairs[static_cast<std::size_t>(kept)];
   }
   return made;
 }

@@ -73,7 +73,8 @@ struct Differences {
   Rational radius{0};
   bool are_members = true;
 };
-inline Differences differences(const Body& a, const Body& b, const contact::CommonPoint& common) {
+inline Differences differences(const Body& a, const Body& b,
+                               const contact::CommonPointProof& common) {
   Differences made;
   bool cores_of_a = true, cores_of_b = true;
   const auto point = [&](const Body& body, const contact::Member& member, bool& of_core) {
@@ -109,7 +110,7 @@ inline Differences differences(const Body& a, const Body& b, const contact::Comm
 /// How the origin lies to the hull of the differences of a common point, enlarged by the radii of
 /// those bodies of which it names vertices: −1: strictly inside, so that the bodies overlap; 0: on
 /// its surface; 1: outside, or the points are not those of the bodies.
-inline int side_of_common(const Body& a, const Body& b, const contact::CommonPoint& common) {
+inline int side_of_common(const Body& a, const Body& b, const contact::CommonPointProof& common) {
   const Differences w = differences(a, b, common);
   if (w.all.empty() || !w.are_members) return 1;
   const pair_truth::Core origin{{Vector(0, 0, 0)}, {}, {}, 0};

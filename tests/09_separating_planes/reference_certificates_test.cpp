@@ -17,7 +17,7 @@
 namespace certificates_test {
 namespace {
 
-using contact::CommonPoint;
+using contact::CommonPointProof;
 using contact::Exact;
 using contact::meeting_proved;
 using contact::Member;
@@ -110,7 +110,7 @@ TEST_CASE("spheres in contact are separated weakly by one plane, and by none a b
 // ---------------------------------------------------------------- common points
 
 /// A common point with one thing changed.
-CommonPoint tampered(Random& random, CommonPoint common) {
+CommonPointProof tampered(Random& random, CommonPointProof common) {
   const auto i = static_cast<std::size_t>(random.integer(0, std::max(common.count - 1, 0)));
   Member& member = random.chance(0.5) ? common.of_a[i] : common.of_b[i];
   switch (random.integer(0, 4)) {
@@ -146,7 +146,7 @@ TEST_CASE("a common point proves nothing that is not true in fractions, tampered
       INFO(name(family) << "\n" << pair_checks::text_of(pair));
       CHECK(overlap_proved(answer.common, a, b) == (answer.state == Proximity::overlapping));
       CHECK(meeting_proved(answer.common, a, b) == (answer.state != Proximity::disjoint));
-      const CommonPoint common = tampered(random, answer.common);
+      const CommonPointProof common = tampered(random, answer.common);
       const bool overlap = overlap_proved(common, a, b), meeting = meeting_proved(common, a, b);
       if (answer.state != Proximity::disjoint) ++(meeting ? accepted : refused);
       CHECK((!overlap || meeting));
@@ -162,8 +162,8 @@ TEST_CASE("a common point proves nothing that is not true in fractions, tampered
 
 /// The differences ± along the axes of two boxes of half length 1 about the origin: as points of
 /// the bodies, so that no vertex is near.
-CommonPoint octahedron() {
-  CommonPoint common;
+CommonPointProof octahedron() {
+  CommonPointProof common;
   for (int i = 0; i < 3; ++i) {
     for (const double sign : {1.0, -1.0}) {
       const auto at = static_cast<std::size_t>(common.count++);
@@ -177,10 +177,10 @@ CommonPoint octahedron() {
 TEST_CASE("of the six vertices of an octahedron around the origin none can be left out") {
   contact::OrientedBox<double> box;
   box.half_lengths = Point(1, 1, 1);
-  const CommonPoint common = octahedron();
+  const CommonPointProof common = octahedron();
   CHECK(overlap_proved(common, box, box));
   for (std::size_t i = 0; i < 6; ++i) {
-    CommonPoint five = common;
+    CommonPointProof five = common;
     five.of_a[i] = five.of_a[5];
     five.count = 5;
     CHECK_FALSE(overlap_proved(five, box, box));
@@ -191,7 +191,7 @@ TEST_CASE("of the six vertices of an octahedron around the origin none can be le
 
 TEST_CASE("a radius counts for vertices of the core, and not for points of the body") {
   const contact::Sphere<double> a{{0, 0, 0}, 1}, b{{2.5, 0, 0}, 1};
-  CommonPoint common;
+  CommonPointProof common;
   common.count = 1;
   common.weights[0] = 1;
   common.of_b[0].vertex = 0;
@@ -207,28 +207,28 @@ TEST_CASE("a radius counts for vertices of the core, and not for points of the b
 
 TEST_CASE("members, counts and weights that are none prove nothing") {
   const contact::Sphere<double> a{{0, 0, 0}, 1}, b{{1, 0, 0}, 1};
-  CommonPoint good;
+  CommonPointProof good;
   good.count = 2;
   good.of_a[0].vertex = good.of_a[1].vertex = good.of_b[0].vertex = good.of_b[1].vertex = 0;
   good.weights = {1, 1, 0, 0, 0, 0};
   CHECK(overlap_proved(good, a, b));
   const auto refused = [&](const auto& change) {
-    CommonPoint bad = good;
+    CommonPointProof bad = good;
     change(bad);
     return !overlap_proved(bad, a, b) && !meeting_proved(bad, a, b);
   };
-  CHECK(refused([](CommonPoint& c) { c.count = 0; }));
-  CHECK(refused([](CommonPoint& c) { c.count = 7; }));
-  CHECK(refused([](CommonPoint& c) { c.count = -1; }));
-  CHECK(refused([](CommonPoint& c) { c.of_a[1].vertex = 1; }));
-  CHECK(refused([](CommonPoint& c) { c.of_b[1].vertex = -2; }));
-  CHECK(refused([](CommonPoint& c) { c.of_a[1] = {-1, Point(nan, 0, 0)}; }));
-  CHECK(refused([](CommonPoint& c) { c.weights = {1, -0.5, 0, 0, 0, 0}; }));
-  CHECK(refused([](CommonPoint& c) { c.weights = {1, nan, 0, 0, 0, 0}; }));
-  CHECK(refused([](CommonPoint& c) { c.weights = {infinity, 1, 0, 0, 0, 0}; }));
-  CHECK(refused([](CommonPoint& c) { c.weights = {0, 0, 0, 0, 0, 0}; }));
-  CHECK(refused([](CommonPoint& c) { c.exact_weights = {Exact(1)}; }));
-  CHECK(refused([](CommonPoint& c) { c.exact_weights = {Exact(1), Exact(-0.5)}; }));
+  CHECK(refused([](CommonPointProof& c) { c.count = 0; }));
+  CHECK(refused([](CommonPointProof& c) { c.count = 7; }));
+  CHECK(refused([](CommonPointProof& c) { c.count = -1; }));
+  CHECK(refused([](CommonPointProof& c) { c.of_a[1].vertex = 1; }));
+  CHECK(refused([](CommonPointProof& c) { c.of_b[1].vertex = -2; }));
+  CHECK(refused([](CommonPointProof& c) { c.of_a[1] = {-1, Point(nan, 0, 0)}; }));
+  CHECK(refused([](CommonPointProof& c) { c.weights = {1, -0.5, 0, 0, 0, 0}; }));
+  CHECK(refused([](CommonPointProof& c) { c.weights = {1, nan, 0, 0, 0, 0}; }));
+  CHECK(refused([](CommonPointProof& c) { c.weights = {infinity, 1, 0, 0, 0, 0}; }));
+  CHECK(refused([](CommonPointProof& c) { c.weights = {0, 0, 0, 0, 0, 0}; }));
+  CHECK(refused([](CommonPointProof& c) { c.exact_weights = {Exact(1)}; }));
+  CHECK(refused([](CommonPointProof& c) { c.exact_weights = {Exact(1), Exact(-0.5)}; }));
 }
 
 TEST_CASE("a point near a common one is close to both bodies") {

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <contact/proximity.hpp>
 #include <cstddef>
+#include <variant>
 
 #include "pair_checks.hpp"
 #include "pair_families.hpp"
+#include "pair_proofs.hpp"
 #include "random_poses.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
@@ -152,6 +154,35 @@ TEST_CASE("a cylinder that stands on a box touches it, with a plane and a common
   CHECK(meeting_proved(found.common, standing(0), box));
   CHECK(certified_proximity(standing(0x1p-60), box).state == Proximity::disjoint);
   CHECK(certified_proximity(standing(-0x1p-40), box).state == Proximity::overlapping);
+}
+
+TEST_CASE("what bounds prove to be inside is inside, and close to the surface they prove it") {
+  Random random(944);
+  int proved = 0, close = 0;
+  const int count = tried(6000);
+  for (int i = 0; i < count; ++i) {
+    const auto kind = i % 2 == 0 ? pair_bodies::Kind::cylinder : pair_bodies::Kind::ellipsoid;
+    const auto family = pair_families::all[static_cast<std::size_t>(i / 2) % 13];
+    const pair_bodies::Body body = pair_families::pair(random, kind, kind, family).a;
+    std::visit(
+        [&](const auto& b) {
+          const Point inner = contact::inner_point(b);
+          const Point p = contact::support(b, random_poses::direction(random));
+          const double pull = std::ldexp(random.uniform(-1, 1), random.integer(-54, 0));
+          const Point q = p + (inner - p) * pull;
+          const bool inside = contact::detail::certainly_inside(b, q);
+          INFO(pair_checks::text_of(body) << " " << q.transpose());
+          if (inside) CHECK(pair_proofs::inside(body, oracle::exact(q)) > 0);
+          if (inside) ++proved;
+          if (inside && pull < 0x1p-40) ++close;
+          const auto member = contact::detail::pulled_inside(b, p, inner, 0);
+          CHECK(member.vertex == -1);
+          CHECK(pair_proofs::inside(body, oracle::exact(member.point)) >= 0);
+        },
+        body);
+  }
+  CHECK(proved > count / 4);
+  CHECK(close > 0);
 }
 
 TEST_CASE("equal bodies overlap") {

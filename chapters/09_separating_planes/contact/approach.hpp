@@ -57,7 +57,8 @@ T approach_speed(const BodyVelocity<double>& a, const BodyVelocity<double>& b,
 /// Whether two bodies that touch at a point separate, rest or collide there.
 ///
 /// Exact for the stored numbers: a floating-point filter, then exact arithmetic. A velocity along a
-/// face or the rotation about an axis through the point therefore rests, and is not a rounded ±1e-17.
+/// face or the rotation about an axis through the point therefore rests, and is not a rounded
+/// ±1e-17.
 /// @param normal from B to A, of any length but 0
 /// @return resting if a number is not finite
 inline Motion motion_in_contact(const BodyVelocity<double>& a, const BodyVelocity<double>& b,

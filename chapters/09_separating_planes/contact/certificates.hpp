@@ -30,7 +30,7 @@ struct SeparatingPlane {
   Vector3<double> normal = Vector3<double>::Zero();
   /// If it is not 0, the normal: for bodies so close that no vector of doubles need separate them.
   /// `normal` is then rounded from it.
-  Vector3<Exact> exact_normal = Vector3<Exact>::Zero();
+  Vector3<Exact> exact_normal;
 };
 // [/separating-plane]
 
@@ -44,7 +44,7 @@ struct Member {
 
 /// Up to six pairs of points aᵢ of A and bᵢ of B that are to prove that the bodies meet, by
 /// weights or by the positions of the differences aᵢ − bᵢ around the origin.
-struct CommonPoint {
+struct CommonPointProof {
   int count = 0;               ///< of pairs; 0: no common point
   std::array<Member, 6> of_a;  ///< aᵢ
   std::array<Member, 6> of_b;  ///< bᵢ
@@ -133,7 +133,7 @@ PositionAndOffset rounded_member(const Member& member, const Body& body) {
 }
 
 template <ConvexBody A, ConvexBody B>
-bool has_members(const CommonPoint& common, const A& a, const B& b) {
+bool has_members(const CommonPointProof& common, const A& a, const B& b) {
   if (common.count < 1 || common.count > 6 || !is_convex_body(a) || !is_convex_body(b))
     return false;
   for (std::size_t i = 0; i < std::size_t(common.count); ++i) {
@@ -149,7 +149,7 @@ struct Radii {
   double of_b = 0;  ///< m
 };
 template <ConvexBody A, ConvexBody B>
-Radii radii_beyond(const CommonPoint& common, const A& a, const B& b) {
+Radii radii_beyond(const CommonPointProof& common, const A& a, const B& b) {
   bool vertices_of_a = true, vertices_of_b = true;
   for (std::size_t i = 0; i < std::size_t(common.count); ++i) {
     vertices_of_a = vertices_of_a && common.of_a[i].vertex >= 0;
@@ -160,7 +160,7 @@ Radii radii_beyond(const CommonPoint& common, const A& a, const B& b) {
 
 /// The differences aᵢ − bᵢ in double with bounds of their error.
 template <ConvexBody A, ConvexBody B>
-BoundedDifferences bounded_differences(const CommonPoint& common, const A& a, const B& b) {
+BoundedDifferences bounded_differences(const CommonPointProof& common, const A& a, const B& b) {
   BoundedDifferences differences(offset_size(a) + offset_size(b));
   for (std::size_t i = 0; i < std::size_t(common.count); ++i) {
     differences.add(rounded_member(common.of_a[i], a), rounded_member(common.of_b[i], b));
@@ -170,7 +170,8 @@ BoundedDifferences bounded_differences(const CommonPoint& common, const A& a, co
 
 /// The differences aᵢ − bᵢ without rounding, m.
 template <ConvexBody A, ConvexBody B>
-std::vector<Vector3<Exact>> exact_differences(const CommonPoint& common, const A& a, const B& b) {
+std::vector<Vector3<Exact>> exact_differences(const CommonPointProof& common, const A& a,
+                                              const B& b) {
   std::vector<Vector3<Exact>> w;
   for (std::size_t i = 0; i < std::size_t(common.count); ++i) {
     w.push_back(exact_member(common.of_a[i], a) - exact_member(common.of_b[i], b));
@@ -179,7 +180,7 @@ std::vector<Vector3<Exact>> exact_differences(const CommonPoint& common, const A
 }
 
 /// The weights without rounding; empty if one is negative or not finite, or all are 0.
-inline std::vector<Exact> exact_weights_of(const CommonPoint& common) {
+inline std::vector<Exact> exact_weights_of(const CommonPointProof& common) {
   const auto count = std::size_t(common.count);
   std::vector<Exact> weights = common.exact_weights;
   if (weights.empty()) {
@@ -204,7 +205,7 @@ inline std::vector<Exact> exact_weights_of(const CommonPoint& common) {
 /// sum of the radii: then the bodies overlap, because small translations do not separate them. If
 /// it is 0, they meet.
 template <ConvexBody A, ConvexBody B>
-int sign_by_weights(const CommonPoint& common, const A& a, const B& b) {
+int sign_by_weights(const CommonPointProof& common, const A& a, const B& b) {
   const std::vector<Exact> weights = exact_weights_of(common);
   if (weights.empty()) return -1;
   const std::vector<Vector3<Exact>> w = exact_differences(common, a, b);
@@ -222,7 +223,7 @@ int sign_by_weights(const CommonPoint& common, const A& a, const B& b) {
 
 /// The same by bounded double: 1 if it is certain to be positive, else 0.
 template <ConvexBody A, ConvexBody B>
-int certain_by_weights(const CommonPoint& common, const A& a, const B& b) {
+int certain_by_weights(const CommonPointProof& common, const A& a, const B& b) {
   if (!common.exact_weights.empty()) return 0;
   const Radii radii = radii_beyond(common, a, b);
   const double reach = sum_down(radii.of_a, radii.of_b);
@@ -258,7 +259,7 @@ bool surrounds_origin(std::size_t count, const SignOfVolume& sign_of_volume) {
 /// Whether the differences of the members surround the origin: each determinant by a filter, in
 /// doubt without rounding.
 template <ConvexBody A, ConvexBody B>
-bool differences_surround(const CommonPoint& common, const A& a, const B& b) {
+bool differences_surround(const CommonPointProof& common, const A& a, const B& b) {
   if (common.count < 4) return false;
   const BoundedDifferences bounded = bounded_differences(common, a, b);
   std::vector<Vector3<Exact>> exact;
@@ -284,7 +285,7 @@ bool differences_surround(const CommonPoint& common, const A& a, const B& b) {
 /// all of these.
 /// @return false also if a member is none or a or b is no body
 template <ConvexBody A, ConvexBody B>
-bool overlap_proved(const CommonPoint& common, const A& a, const B& b) {
+bool overlap_proved(const CommonPointProof& common, const A& a, const B& b) {
   if (!detail::has_members(common, a, b)) return false;
   return detail::certain_by_weights(common, a, b) > 0 ||
          detail::differences_surround(common, a, b) || detail::sign_by_weights(common, a, b) > 0;
@@ -293,7 +294,7 @@ bool overlap_proved(const CommonPoint& common, const A& a, const B& b) {
 /// Whether the common point proves that A and B have a point in common: as overlap_proved(), and
 /// also if the weighted members are as far apart as the sum of the radii. Exact.
 template <ConvexBody A, ConvexBody B>
-bool meeting_proved(const CommonPoint& common, const A& a, const B& b) {
+bool meeting_proved(const CommonPointProof& common, const A& a, const B& b) {
   if (!detail::has_members(common, a, b)) return false;
   return detail::certain_by_weights(common, a, b) > 0 ||
          detail::sign_by_weights(common, a, b) >= 0 || detail::differences_surround(common, a, b);
@@ -305,7 +306,7 @@ bool meeting_proved(const CommonPoint& common, const A& a, const B& b) {
 /// of the radii, or by half. Rounded, so it need not be in either body.
 /// @return m; 0 if there are no members or weights
 template <ConvexBody A, ConvexBody B>
-Vector3<double> near_common_point(const CommonPoint& common, const A& a, const B& b) {
+Vector3<double> near_common_point(const CommonPointProof& common, const A& a, const B& b) {
   Vector3<double> on_a = Vector3<double>::Zero(), on_b = on_a;
   double sum = 0;
   for (int i = 0; i < common.count; ++i) sum += common.weights[std::size_t(i)];

@@ -38,8 +38,8 @@ namespace contact {
 /// are ∞.
 struct CertifiedProximity {
   Proximity state = Proximity::undecided;
-  SeparatingPlane plane;  ///< see separates() and separates_weakly()
-  CommonPoint common;     ///< see overlap_proved() and meeting_proved()
+  SeparatingPlane plane;    ///< see separates() and separates_weakly()
+  CommonPointProof common;  ///< see overlap_proved() and meeting_proved()
   double low = -std::numeric_limits<double>::infinity();  ///< m
   double high = std::numeric_limits<double>::infinity();  ///< m
 };
@@ -79,20 +79,18 @@ double separation_down(const A& a, const B& b, const Vector3<double>& n) {
 }
 
 /// The vertices of GJK's simplex as members, with its weights.
-inline CommonPoint members_of(const GjkResult<double>& near) {
-  CommonPoint common;
+inline void set_members(CommonPointProof& common, const GjkResult<double>& near) {
   common.count = near.count;
   for (std::size_t i = 0; i < std::size_t(near.count); ++i) {
     common.of_a[i].vertex = near.simplex[i].a;
     common.of_b[i].vertex = near.simplex[i].b;
     common.weights[i] = near.weights[i];
   }
-  return common;
 }
 
 /// Differences as members, without weights.
-inline CommonPoint members_of(std::span<const ExactDifference> differences) {
-  CommonPoint common;
+inline CommonPointProof members_of(std::span<const ExactDifference> differences) {
+  CommonPointProof common;
   common.count = static_cast<int>(differences.size());
   for (std::size_t i = 0; i < differences.size(); ++i) {
     common.of_a[i].vertex = differences[i].of.a;
@@ -102,7 +100,7 @@ inline CommonPoint members_of(std::span<const ExactDifference> differences) {
 }
 
 /// Weights without rounding, and as doubles of sum 1.
-inline void set_weights(CommonPoint& common, std::span<const Exact> weights) {
+inline void set_weights(CommonPointProof& common, std::span<const Exact> weights) {
   Exact sum;
   common.exact_weights.assign(weights.begin(), weights.begin() + common.count);
   for (const Exact& weight : common.exact_weights) sum += weight;
@@ -113,7 +111,7 @@ inline void set_weights(CommonPoint& common, std::span<const Exact> weights) {
 
 /// Weights for drawing of differences that surround the origin: those of a subset of at most four
 /// whose hull contains it.
-inline void set_weights_for_drawing(CommonPoint& common,
+inline void set_weights_for_drawing(CommonPointProof& common,
                                     std::span<const ExactDifference> differences) {
   for (unsigned subset = 1; subset < 1U << differences.size(); ++subset) {
     std::vector<ExactDifference> chosen;
@@ -181,18 +179,29 @@ CertifiedProximity decide_exactly(const A& a, const B& b, std::span<const Differ
 }
 // [/decide-exactly]
 
+/// A direction without over- or underflow in its square, in which case it is made a unit vector.
+inline Vector3<double> of_moderate_length(const Vector3<double>& n) {
+  const double squared = n.dot(n);
+  return squared > 0x1p-180 && squared < 0x1p180 ? n : unit_of_any_size<double>(n);
+}
+
 // [certify-cores]
 /// The certified decision for cores and radii. What GJK finds is only a guess; each answer in
 /// floating point is a proof by bounds, and if there is none, decide_exactly() decides.
 template <PolytopeCore A, PolytopeCore B>
 CertifiedProximity certify_cores(const A& a, const B& b, const GjkStart<double>& start) {
-  const GjkResult<double> near = gjk(a, b, start);
   CertifiedProximity answer;
-  answer.common = members_of(near);
+  const GjkResult<double> near = gjk(a, b, start);
+  set_members(answer.common, near);
   const BoundedDifferences w = bounded_differences(answer.common, a, b);
   const double reach = sum_down(radius_of(a), radius_of(b));
   const double core_high = w.distance_up(answer.common.weights);
-  const Vector3<double> n = unit_of_any_size<double>(near.between);
+  if (core_high < reach || w.certainly_surround()) {
+    answer.state = Proximity::overlapping;
+    answer.low = answer.high = 0;
+    return answer;
+  }
+  const Vector3<double> n = of_moderate_length(near.between);
   const double separation = separation_down(a, b, n);
   if (separation > 0) {
     answer.state = Proximity::disjoint;
@@ -201,14 +210,10 @@ CertifiedProximity certify_cores(const A& a, const B& b, const GjkStart<double>&
     answer.high = sum_up(core_high, -reach);
     return answer;
   }
-  if (core_high < reach || w.certainly_surround()) {
-    answer.state = Proximity::overlapping;
-    answer.low = answer.high = 0;
-    return answer;
-  }
   std::array<DifferenceIndex, 4> simplex;
   for (std::size_t i = 0; i < 4; ++i) simplex[i] = {near.simplex[i].a, near.simplex[i].b};
-  return decide_exactly(a, b, std::span(simplex).first(std::size_t(near.count)));
+  answer = decide_exactly(a, b, std::span(simplex).first(std::size_t(near.count)));
+  return answer;
 }
 // [/certify-cores]
 

@@ -59,7 +59,7 @@ bool separates_weakly(const SeparatingPlane& plane, const A& a, const HalfSpace<
 /// no member. Positive: that point is in the interior of the half-space, so A and B overlap. 0: it
 /// is on its boundary, so they meet.
 template <ConvexBody A, FloatOrDouble S>
-int exact_sign_of_depth(const CommonPoint& common, const A& a, const HalfSpace<S>& b) {
+int exact_sign_of_depth(const CommonPointProof& common, const A& a, const HalfSpace<S>& b) {
   if (common.count < 1 || common.count > 6 || !is_convex_body(a) || !is_half_space(b)) return -1;
   const Member& member = common.of_a[0];
   if (!detail::is_member(member, a)) return -1;
@@ -71,12 +71,12 @@ int exact_sign_of_depth(const CommonPoint& common, const A& a, const HalfSpace<S
 /// Whether the first member of A proves that A and a half-space B overlap. Exact. Members of B are
 /// not used.
 template <ConvexBody A, FloatOrDouble S>
-bool overlap_proved(const CommonPoint& common, const A& a, const HalfSpace<S>& b) {
+bool overlap_proved(const CommonPointProof& common, const A& a, const HalfSpace<S>& b) {
   return exact_sign_of_depth(common, a, b) > 0;
 }
 /// Whether the first member of A proves that A and a half-space B have a point in common. Exact.
 template <ConvexBody A, FloatOrDouble S>
-bool meeting_proved(const CommonPoint& common, const A& a, const HalfSpace<S>& b) {
+bool meeting_proved(const CommonPointProof& common, const A& a, const HalfSpace<S>& b) {
   return exact_sign_of_depth(common, a, b) >= 0;
 }
 // [/half-space-proofs]
@@ -86,7 +86,7 @@ inline SeparatingPlane exchanged(const SeparatingPlane& plane) {
   const Vector3<double> zero = Vector3<double>::Zero();
   return {Vector3<double>(zero - plane.normal), Vector3<Exact>(-plane.exact_normal)};
 }
-inline CommonPoint exchanged(CommonPoint common) {
+inline CommonPointProof exchanged(CommonPointProof common) {
   std::swap(common.of_a, common.of_b);
   return common;
 }
@@ -106,11 +106,11 @@ bool separates_weakly(const SeparatingPlane& plane, const HalfSpace<S>& a, const
   return separates_weakly(exchanged(plane), b, a);
 }
 template <FloatOrDouble S, ConvexBody B>
-bool overlap_proved(const CommonPoint& common, const HalfSpace<S>& a, const B& b) {
+bool overlap_proved(const CommonPointProof& common, const HalfSpace<S>& a, const B& b) {
   return overlap_proved(exchanged(common), b, a);
 }
 template <FloatOrDouble S, ConvexBody B>
-bool meeting_proved(const CommonPoint& common, const HalfSpace<S>& a, const B& b) {
+bool meeting_proved(const CommonPointProof& common, const HalfSpace<S>& a, const B& b) {
   return meeting_proved(exchanged(common), b, a);
 }
 
@@ -118,8 +118,8 @@ namespace detail {
 
 /// A member of A that is lowest along n, as far as it can be found.
 template <ConvexBody A>
-CommonPoint lowest_member(const A& a, const Vector3<double>& n) {
-  CommonPoint common;
+CommonPointProof lowest_member(const A& a, const Vector3<double>& n) {
+  CommonPointProof common;
   common.count = 1;
   common.weights[0] = 1;
   if constexpr (PolytopeCore<A>) {

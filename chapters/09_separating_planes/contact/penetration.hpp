@@ -14,6 +14,7 @@
 #include <contact/exact_gjk.hpp>
 #include <contact/exact_support.hpp>
 #include <contact/gjk.hpp>
+#include <contact/gjk_cores.hpp>
 #include <contact/gjk_simplex.hpp>
 #include <contact/orientation.hpp>
 #include <contact/signed_distance_result.hpp>
@@ -142,6 +143,7 @@ class ExpandingPolytope {
   bool add(const Vertex& p);
   Penetration<ScalarOf<A>> flat() const;
   void use_exact_plane(const Face& f, Penetration<S>& found) const;
+  bool descend(Penetration<S>& found);
   Penetration<ScalarOf<A>> result();
 };
 
@@ -277,6 +279,13 @@ Penetration<ScalarOf<A>> ExpandingPolytope<A, B>::result() {
   found.normal = -best->normal;
   found.depth = best->normal.dot(farthest(best->normal).w);
   if constexpr (!smooth) use_exact_plane(*best, found);
+  if constexpr (smooth) {
+    if (!known && descend(found)) {
+      found.excess = std::max(S(found.depth - lower), S(0));
+      found.iterations = iterations_;
+      return found;
+    }
+  }
   found.excess = std::max(S(found.depth - lower), S(0));
   found.iterations = iterations_;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -286,6 +295,50 @@ Penetration<ScalarOf<A>> ExpandingPolytope<A, B>::result() {
   }
   return found;
 }
+
+// [epa-descend]
+/// From the best direction downhill to a local minimum of the support, for smooth bodies whose
+/// depth is similar in many directions: there faces get smaller too slowly.
+///
+/// The gradient on the sphere is the part of the farthest difference that is perpendicular to the
+/// normal. Its change over a small angle gives the step (Newton's method along the gradient).
+/// @return whether the gradient has become small, so that the two points are opposite
+template <ConvexBody A, ConvexBody B>
+bool ExpandingPolytope<A, B>::descend(Penetration<S>& found) {
+  constexpr S angle = std::same_as<S, double> ? S(0x1p-20) : S(0x1p-9);
+  constexpr S small = std::same_as<S, double> ? S(0x1p-26) : S(0x1p-12);
+  Vector3<S> n = -found.normal;
+  Vertex p = farthest(n);
+  for (int i = 0; i < 40; ++i) {
+    const S support = n.dot(p.w);
+    const Vector3<S> gradient = p.w - n * support;
+    const S slope = length<S>(gradient);
+    if (slope <= small * extent_) {
+      if (support > found.depth + tolerance()) return false;
+      found.normal = -n;
+      found.depth = support;
+      found.on_a = p.of_a;
+      found.on_b = p.of_b;
+      return true;
+    }
+    const Vector3<S> down = gradient / -slope;
+    const auto at = [&](const S& t) { return unit_of_any_size<S>(Vector3<S>(n + down * t)); };
+    const Vector3<S> beside = at(angle);
+    const S slope_beside = -down.dot(farthest(beside).w) + beside.dot(down) * support;
+    const S curvature = (slope - slope_beside) / angle;
+    S step = curvature > S(0) ? std::min(S(slope / curvature), S(1)) : S(1);
+    Vertex next = farthest(at(step));
+    for (int k = 0; k < 30 && !(at(step).dot(next.w) < support); ++k) {
+      step /= S(2);
+      next = farthest(at(step));
+    }
+    if (!(at(step).dot(next.w) < support)) return false;
+    n = at(step);
+    p = next;
+  }
+  return false;
+}
+// [/epa-descend]
 
 /// The plane of a face through exact differences of vertices, rounded once: that through rounded
 /// ones is turned by u divided by the smallest height of the face.
@@ -340,15 +393,27 @@ Penetration<ScalarOf<A>> ExpandingPolytope<A, B>::flat() const {
 ///
 /// Limits: of polytopes, depth and translation are right to a few u of the coordinates; of smooth
 /// bodies to 2^-40 of them, which rotates the normal by about 2^-20 (float: 2^-20, 2^-10). The
-/// polytope stops after 160 supports, as it does for bodies with the same centre that are equally
-/// deep in many directions; `excess` bounds what the depth then is too large.
-/// @param a, b finite
+/// polytope stops after 160 faces, as it does for bodies with the same centre that are equally deep
+/// in many directions. Then the best direction found is followed downhill; `excess` bounds by how
+/// much the depth can be too large.
+/// @param a, b finite, of any size
 /// @see van den Bergen, *Proximity Queries and Penetration Depth Computation on 3D Game Objects*,
 /// Game Developers Conference 2001
 template <ConvexBody A, ConvexBody B>
 requires std::same_as<ScalarOf<A>, ScalarOf<B>> Penetration<ScalarOf<A>> penetration(const A& a,
                                                                                      const B& b) {
-  return detail::ExpandingPolytope<A, B>(a, b).run();
+  using S = ScalarOf<A>;
+  const int power =
+      detail::scale_power(std::max(gjk_detail::largest_number(a), gjk_detail::largest_number(b)));
+  if (power == 0) return detail::ExpandingPolytope<A, B>(a, b).run();
+  const A first = gjk_detail::times_power_of_two(a, -power);
+  const B second = gjk_detail::times_power_of_two(b, -power);
+  Penetration<S> found = detail::ExpandingPolytope<A, B>(first, second).run();
+  found.depth = std::ldexp(found.depth, power);
+  found.excess = std::ldexp(found.excess, power);
+  found.on_a = detail::times_power_of_two(found.on_a, power);
+  found.on_b = detail::times_power_of_two(found.on_b, power);
+  return found;
 }
 // [/epa]
 

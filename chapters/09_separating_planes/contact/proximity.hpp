@@ -111,7 +111,7 @@ bool still_proves(const ProximityWitness& witness, const A& a, const B& b,
     return true;
   }
   if constexpr (PolytopeCore<A> && PolytopeCore<B>) {
-    CommonPoint common;
+    CommonPointProof common;
     common.count = witness.simplex.count;
     for (std::size_t i = 0; i < std::size_t(std::clamp(common.count, 0, 4)); ++i) {
       common.of_a[i].vertex = witness.simplex.a[i];
@@ -133,7 +133,7 @@ inline ProximityWitness witness_of(const CertifiedProximity& answer) {
   ProximityWitness witness;
   if (answer.state == Proximity::disjoint) witness.normal = answer.plane.normal;
   witness.simplex.direction = answer.plane.normal;
-  const CommonPoint& common = answer.common;
+  const CommonPointProof& common = answer.common;
   const auto count = std::size_t(common.count);
   if (count > 4) return witness;
   for (std::size_t i = 0; i < count; ++i) {

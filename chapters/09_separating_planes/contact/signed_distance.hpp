@@ -123,20 +123,14 @@ requires std::same_as<ScalarOf<A>, ScalarOf<B>> SignedDistance<ScalarOf<A>> sign
     nothing.distance = std::numeric_limits<S>::quiet_NaN();
     return nothing;
   }
-  constexpr int limit = std::same_as<S, float> ? 20 : 200;
   const S size = std::max(of_a, of_b);
-  int power = 0;
-  std::frexp(size, &power);
-  if (power >= -limit && power <= limit) {
-    return detail::without_negative_zero(detail::ordered_distance(a, b, size));
-  }
+  const int power = detail::scale_power(size);
+  if (power == 0) return detail::without_negative_zero(detail::ordered_distance(a, b, size));
   SignedDistance<S> found = detail::ordered_distance(
       gjk_detail::times_power_of_two(a, -power), gjk_detail::times_power_of_two(b, -power), S(1));
   found.distance = std::ldexp(found.distance, power);
-  for (Vector3<S>* v : {&found.on_a, &found.on_b}) {
-    *v =
-        Vector3<S>(std::ldexp(v->x(), power), std::ldexp(v->y(), power), std::ldexp(v->z(), power));
-  }
+  found.on_a = detail::times_power_of_two(found.on_a, power);
+  found.on_b = detail::times_power_of_two(found.on_b, power);
   return detail::without_negative_zero(found);
 }
 // [/signed-distance-of-bodies]

@@ -12,6 +12,7 @@
 #include <contact/exact_gjk.hpp>
 #include <contact/exact_support.hpp>
 #include <contact/gjk.hpp>
+#include <contact/plane.hpp>
 #include <contact/support.hpp>
 #include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
@@ -134,6 +135,16 @@ CoreDirection<ScalarOf<A>> core_direction(const A& a, const B& b) {
   return {Vector3<S>(normalised<double>(direction).template cast<S>()), static_cast<S>(distance)};
 }
 // [/core-direction]
+
+/// The power of two by which bodies with coordinates of up to `size` are divided before they are
+/// measured, so that no product of lengths over- or underflows; 0 for bodies of an ordinary size.
+template <FloatOrDouble S>
+int scale_power(const S& size) {
+  constexpr int limit = std::same_as<S, float> ? 20 : 200;
+  int power = 0;
+  std::frexp(size, &power);
+  return power < -limit || power > limit ? power : 0;
+}
 
 /// −1, 0 or 1: which of two bodies of one kind comes first in the order of their stored numbers.
 template <std::floating_point S>

@@ -17,6 +17,7 @@
 #include <contact/certified_cores.hpp>
 #include <contact/exact_gjk.hpp>
 #include <contact/gjk.hpp>
+#include <contact/inside_points.hpp>
 #include <contact/proximity_cases.hpp>
 #include <contact/support.hpp>
 #include <contact/surrounding_set.hpp>
@@ -25,63 +26,6 @@
 namespace contact {
 
 namespace detail {
-
-/// By which share of the size members are pulled inside at first: so far that contains() rarely has
-/// to calculate exactly, or not at all.
-inline constexpr double coarse_pull = 0x1p-46, no_pull = 0;
-
-/// A point by about a distance farther inside than p, which is on the surface up to rounding:
-/// towards an inner point.
-template <ConvexBody Body>
-Vector3<double> farther_inside(const Body&, const Vector3<double>& p, const Vector3<double>& inner,
-                               double distance) {
-  return p + unit_of_any_size<double>(Vector3<double>(inner - p)) * distance;
-}
-/// In a cylinder: along the core, and towards it.
-inline Vector3<double> farther_inside(const Cylinder<double>& body, const Vector3<double>& p,
-                                      const Vector3<double>& inner, double distance) {
-  const Vector3<double> axis = unit_of_any_size<double>(Vector3<double>(body.core.end - inner));
-  const Vector3<double> from_inner = p - inner;
-  const double along = axis.dot(from_inner);
-  const Vector3<double> across = from_inner - axis * along;
-  const double off_axis = std::sqrt(across.dot(across));
-  return p - axis * std::clamp(along, -distance, distance) -
-         unit_of_any_size<double>(across) * std::min(distance, off_axis);
-}
-/// In an ellipsoid: against its normal, which is Σ axesᵢ (axesᵢ · (p − c))/hᵢ² up to rounding.
-inline Vector3<double> farther_inside(const Ellipsoid<double>& body, const Vector3<double>& p,
-                                      const Vector3<double>& inner, double distance) {
-  const double largest = body.half_lengths.maxCoeff();
-  Vector3<double> normal = Vector3<double>::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const Vector3<double> axis = body.axes.col(i);
-    const double share = largest / body.half_lengths(i);
-    normal += axis * (axis.dot(Vector3<double>(p - inner)) * share * share);
-  }
-  return p - unit_of_any_size<double>(normal) * distance;
-}
-
-// [pulled-inside]
-/// A member close to a rounded point of the body: the first that the body contains, of points
-/// farther and farther inside, by `first` times the size, four times as much, and so on; at last of
-/// points towards the inner point, up to that.
-/// @return with a vertex of −2, which is no member, if there is none
-template <ConvexBody Body>
-Member pulled_inside(const Body& body, const Vector3<double>& p, const Vector3<double>& inner,
-                     double first) {
-  if (first == 0 && contains(body, p)) return {-1, p};
-  const double size = p.cwiseAbs().maxCoeff() + Vector3<double>(p - inner).cwiseAbs().maxCoeff();
-  for (double share = std::max(first, 0x1p-54); share < 0x1p-20; share *= 4) {
-    const Vector3<double> q = farther_inside(body, p, inner, share * size);
-    if (contains(body, q)) return {-1, q};
-  }
-  for (double t = 0x1p-50; t <= 1; t *= 4) {
-    const Vector3<double> q = p + (inner - p) * t;
-    if (contains(body, q)) return {-1, q};
-  }
-  return {-2, p};
-}
-// [/pulled-inside]
 
 /// A point of the whole body, close to the farthest along n.
 template <ConvexBody Body>
@@ -102,8 +46,10 @@ Member farthest_member(const Body& body, const Vector3<double>& n, const Vector3
 /// The points of GJK's simplex as members: vertices of cores, and points of smooth bodies pulled
 /// inside. Without members if some point cannot be.
 template <ConvexBody A, ConvexBody B>
-CommonPoint pulled_members(const GjkResult<double>& near, const A& a, const B& b, double first) {
-  CommonPoint common = members_of(near);
+CommonPointProof pulled_members(const GjkResult<double>& near, const A& a, const B& b,
+                                double first) {
+  CommonPointProof common;
+  set_members(common, near);
   const Vector3<double> of_a = inner_point(a), of_b = inner_point(b);
   for (std::size_t i = 0; i < std::size_t(near.count); ++i) {
     const GjkVertex<double>& v = near.simplex[i];
@@ -175,8 +121,6 @@ class SmoothSearch {
     if (!all_finite(n) || n == Vector3<double>::Zero()) return false;
     const double separation = separation_down(a_, b_, n);
     const double low = along_unit_down(separation, n);
-    const double size = std::abs(support_up(a_, n)) + std::abs(support_up(b_, n));
-    if (!(separation > 0) && separation > -0x1p-40 * size) almost_.push_back(n);
     if (!(low > answer_.low)) return separation > 0;
     answer_.low = low;
     answer_.plane.normal = n;
@@ -184,13 +128,13 @@ class SmoothSearch {
     answer_.state = Proximity::disjoint;
     return true;
   }
-  bool overlapping(const CommonPoint& common) {
+  bool overlapping(const CommonPointProof& common) {
     answer_ = {Proximity::overlapping, {}, common, 0, 0};
     return true;
   }
 
   /// Takes an upper bound of the distance from members, which may prove an overlap.
-  bool use_members(const CommonPoint& common) {
+  bool use_members(const CommonPointProof& common) {
     const BoundedDifferences w = bounded_differences(common, a_, b_);
     const Radii radii = radii_beyond(common, a_, b_);
     const double reach = sum_down(radii.of_a, radii.of_b);
@@ -204,11 +148,18 @@ class SmoothSearch {
     return false;
   }
 
+  /// The same for a direction of features, which is remembered if it may separate weakly.
+  bool try_feature(const Vector3<double>& n) {
+    const double size = std::abs(support_up(a_, n)) + std::abs(support_up(b_, n));
+    if (separation_down(a_, b_, n) > -0x1p-40 * size) almost_.push_back(n);
+    return try_plane(n);
+  }
+
   /// Tries directions of features of both, and those perpendicular to one of each.
   bool try_features() {
     const auto of_a = feature_directions(a_), of_b = feature_directions(b_);
     const auto either = [this](const Vector3<double>& n) {
-      return try_plane(n) || try_plane(Vector3<double>(-n));
+      return try_feature(n) || try_feature(Vector3<double>(-n));
     };
     for (const Vector3<double>& n : of_a) {
       if (either(n)) return true;
@@ -251,7 +202,7 @@ class SmoothSearch {
   bool surrounded(const std::vector<ExactDifference>& points,
                   const std::vector<std::pair<Member, Member>>& members) {
     const std::vector<ExactDifference> few = fewest_surrounding(points);
-    CommonPoint common;
+    CommonPointProof common;
     common.count = static_cast<int>(few.size());
     for (std::size_t i = 0; i < few.size(); ++i) {
       std::tie(common.of_a[i], common.of_b[i]) = members[std::size_t(few[i].of.a)];
@@ -289,7 +240,7 @@ class SmoothSearch {
     }
     for (const Vector3<double>& p : points) {
       if (!contains(a_, p) || !contains(b_, p)) continue;
-      CommonPoint common;
+      CommonPointProof common;
       common.count = 1;
       common.of_a[0] = common.of_b[0] = {-1, p};
       common.weights[0] = 1;

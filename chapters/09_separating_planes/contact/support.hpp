@@ -83,19 +83,23 @@ using Direction = std::type_identity_t<Vector3<S>>;
 /// | ConvexHull | a polytope | n | its own, or 0 |
 template <class Body>
 concept PolytopeCore = detail::BodyKind<Body>::has_vertices;
+// [/kinds-of-body]
 
+// [smooth-body]
 /// A body with a curved surface that is no core and radius: a cylinder or an ellipsoid.
 template <class Body>
 concept SmoothBody = detail::BodyKind<Body>::is_smooth;
+// [/smooth-body]
 
+// [convex-body]
 /// A bounded convex body of any kind.
 template <class Body>
 concept ConvexBody = PolytopeCore<Body> || SmoothBody<Body>;
+// [/convex-body]
 
 /// The number type of a body.
 template <ConvexBody Body>
 using ScalarOf = typename detail::BodyKind<Body>::Scalar;
-// [/kinds-of-body]
 
 // [radius-of]
 /// The radius by which the body exceeds its core, m; 0 for a body that is its own core, as smooth

@@ -23,7 +23,7 @@ namespace contact {
 /// What two polytopes that meet have: a plane between them or differences around the origin.
 struct PlaneOrSurrounding {
   /// n ≠ 0 with n · w ≥ 0 for all differences w: they touch. 0: there is none.
-  Vector3<Exact> normal = Vector3<Exact>::Zero();
+  Vector3<Exact> normal;
   /// Without such n, 4 to 6 differences whose hull has the origin as an interior point.
   std::vector<ExactDifference> surrounding;
   int steps = 0;  ///< how many normals were tried
