@@ -7,6 +7,8 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
+namespace approach_test {
+
 using contact::BodyVelocity;
 using contact::Motion;
 using contact::motion_in_contact;
@@ -18,6 +20,8 @@ using random_poses::any_point;
 using V = contact::Vector3<double>;
 
 namespace {
+
+const V none(0, 0, 0);
 
 V whole(Random& random) {
   const int x = random.integer(-3, 3);
@@ -61,27 +65,29 @@ TEST_CASE("the motion in a contact has the exact sign of the velocity along the 
     }
     const int sign = exact_sign(a, b, p, n);
     ++seen[sign + 1];
-    CHECK(motion_in_contact(a, b, p, n) == motion_of(sign));
-    CHECK(motion_in_contact(b, a, p, -n) == motion_of(sign));
+    CHECK(motion_in_contact(n, p, a, b) == motion_of(sign));
+    CHECK(motion_in_contact(-n, p, b, a) == motion_of(sign));
   }
   for (const int count : seen) CHECK(count > tried(40));
 }
 
 TEST_CASE("sliding along a face rests, and so does a rotation about the contact") {
-  const V n = V(1, 2, 2) / 3;
-  CHECK(motion_in_contact(V(2, -1, 0), n) == Motion::resting);
-  CHECK(motion_in_contact(V(2, -1, 0x1p-60), n) == Motion::separating);
-  CHECK(motion_in_contact(V(2, -1, -0x1p-60), n) == Motion::colliding);
+  const V n(1, 2, 2);
+  CHECK(motion_in_contact(n, V(2, -1, 0), none) == Motion::resting);
+  CHECK(motion_in_contact(n, V(2, -1, 0x1p-60), none) == Motion::separating);
+  CHECK(motion_in_contact(n, V(2, -1, -0x1p-60), none) == Motion::colliding);
   const V p(0.1, 0.2, 0.3);
   const BodyVelocity<double> rolling{p, V(0, 0, 0), V(7, 8, 9)};
-  CHECK(motion_in_contact(rolling, {}, p, n) == Motion::resting);
+  CHECK(motion_in_contact(n, p, rolling, {}) == Motion::resting);
 }
 
 TEST_CASE("motions of any size are decided, and those that are not finite rest") {
-  CHECK(motion_in_contact(V(1e-300, 0, 0), V(1e-300, 0, 0)) == Motion::separating);
-  CHECK(motion_in_contact(V(-1e300, 0, 0), V(1e300, 0, 0)) == Motion::colliding);
+  CHECK(motion_in_contact(V(1e-300, 0, 0), V(1e-300, 0, 0), none) == Motion::separating);
+  CHECK(motion_in_contact(V(1e300, 0, 0), V(-1e300, 0, 0), none) == Motion::colliding);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(motion_in_contact(V(nan, 0, 0), V(1, 0, 0)) == Motion::resting);
-  CHECK(motion_in_contact(V(1, 0, 0), V(0, 0, std::numeric_limits<double>::infinity())) ==
+  CHECK(motion_in_contact(V(1, 0, 0), V(nan, 0, 0), none) == Motion::resting);
+  CHECK(motion_in_contact(V(0, 0, std::numeric_limits<double>::infinity()), V(1, 0, 0), none) ==
         Motion::resting);
 }
+
+}  // namespace approach_test

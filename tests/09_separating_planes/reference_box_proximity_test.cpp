@@ -13,6 +13,8 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
+namespace box_proximity_test {
+
 using contact::Proximity;
 using contact::detail::box_decision;
 using contact::detail::exact_box_decision;
@@ -199,3 +201,5 @@ TEST_CASE("a body with a number that is not finite is undecided, with every othe
           Proximity::undecided);
   }
 }
+
+}  // namespace box_proximity_test

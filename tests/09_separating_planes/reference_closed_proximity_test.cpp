@@ -17,6 +17,8 @@
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
 
+namespace closed_proximity_test {
+
 using contact::Capsule;
 using contact::HalfSpace;
 using contact::Matrix3;
@@ -365,3 +367,5 @@ TEST_CASE("invalid bodies are refused, with the argument's name and value") {
     CHECK(contact::half_space_behind<double>({n, 1}).boundary.normal == n);
   }
 }
+
+}  // namespace closed_proximity_test

@@ -11,6 +11,8 @@
 #include "reference.hpp"
 #include "support/generators.hpp"
 
+namespace near_cores_test {
+
 using contact::Capsule;
 using contact::OrientedBox;
 using generators::Random;
@@ -122,3 +124,5 @@ TEST_CASE("exchanged bodies have the opposite normal and exchanged points, and n
     }
   }
 }
+
+}  // namespace near_cores_test

@@ -11,6 +11,8 @@
 #include "pair_truth.hpp"
 #include "support/generators.hpp"
 
+namespace penetration_test {
+
 using generators::Random;
 using generators::tried;
 using pair_bodies::Kind;
@@ -118,3 +120,5 @@ TEST_CASE("a distance to a body that is not finite is NaN") {
   CHECK(std::isnan(contact::signed_distance(good, bad).distance));
   CHECK(contact::signed_distance(bad, good).normal == V(0, 0, 0));
 }
+
+}  // namespace penetration_test

@@ -16,6 +16,8 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
+namespace signed_distance_test {
+
 using contact::Capsule;
 using contact::HalfSpace;
 using contact::Proximity;
@@ -252,3 +254,5 @@ TEST_CASE("a translation along the normal separates overlapping bodies") {
     CHECK(contact::proximity(a, b) == Proximity::disjoint);
   }
 }
+
+}  // namespace signed_distance_test

@@ -60,9 +60,10 @@ T approach_speed(const BodyVelocity<double>& a, const BodyVelocity<double>& b,
 /// face or the rotation about an axis through the point therefore rests, and is not a rounded
 /// ±1e-17.
 /// @param normal from B to A, of any length but 0
+/// @param point of the contact, m
 /// @return resting if a number is not finite
-inline Motion motion_in_contact(const BodyVelocity<double>& a, const BodyVelocity<double>& b,
-                                const Vector3<double>& point, const Vector3<double>& normal) {
+inline Motion motion_in_contact(const Vector3<double>& normal, const Vector3<double>& point,
+                                const BodyVelocity<double>& a, const BodyVelocity<double>& b) {
   const RunningError rounded = detail::approach_speed<RunningError>(a, b, point, normal);
   const int certain = rounded.certain_sign();
   if (certain != 0 && std::isfinite(rounded.bound)) return detail::motion_of_sign(certain);
@@ -77,11 +78,13 @@ inline Motion motion_in_contact(const BodyVelocity<double>& a, const BodyVelocit
 }
 
 /// The same for bodies that do not rotate.
-/// @param velocity of A relative to B, m/s
-inline Motion motion_in_contact(const Vector3<double>& velocity, const Vector3<double>& normal) {
-  BodyVelocity<double> a;
-  a.velocity = velocity;
-  return motion_in_contact(a, {}, Vector3<double>::Zero(), normal);
+/// @param velocity_a, velocity_b m/s
+inline Motion motion_in_contact(const Vector3<double>& normal, const Vector3<double>& velocity_a,
+                                const Vector3<double>& velocity_b) {
+  BodyVelocity<double> a, b;
+  a.velocity = velocity_a;
+  b.velocity = velocity_b;
+  return motion_in_contact(normal, Vector3<double>::Zero(), a, b);
 }
 // [/approach]
 

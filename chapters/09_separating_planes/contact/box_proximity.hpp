@@ -206,24 +206,44 @@ inline BoxDecision box_decision(const OrientedBox<double>& a, const OrientedBox<
 /// Whether axis k, as in box_axis(), certainly separates two boxes. It is recomputed, so it rotates
 /// with them.
 ///
-/// A face normal is a stored axis here: any direction that separates is a proof. The bound is that
-/// of BoxPairTest::rounding() for a direction that is not longer than 1.01.
+/// A face normal is a stored axis here: any direction that separates is a proof. With a sum s ≤ 16
+/// of the magnitudes of all entries, no axis is longer than 16, no cross product longer than 64
+/// (two factors of that sum), and the terms of the separation add up to at most 64 · 16 size. It
+/// has at most 17 roundings; 2^15 u size is above their error, and still small enough for a
+/// witness.
 inline bool box_axis_separates(const OrientedBox<double>& a, const OrientedBox<double>& b, int k) {
-  const BoxPairTest t(a, b);
-  if (!t.in_range()) return false;
-  Vector3<double> n;
-  if (k < 6) {
-    n = (k < 3 ? a : b).axes.col(k < 3 ? k : k - 3);
-  } else {
-    n = Vector3<double>(a.axes.col((k - 6) / 3)).cross(Vector3<double>(b.axes.col((k - 6) % 3)));
-  }
-  const auto along = [&n](const OrientedBox<double>& box, int i) {
-    return box.half_lengths(i) *
-           std::abs(n.x() * box.axes(0, i) + n.y() * box.axes(1, i) + n.z() * box.axes(2, i));
+  const Matrix3<double>& p = a.axes;
+  const Matrix3<double>& q = b.axes;
+  const auto entries = [](const Matrix3<double>& m, int i) {
+    return std::abs(m(0, i)) + std::abs(m(1, i)) + std::abs(m(2, i));
   };
-  const double extents =
-      (along(a, 0) + along(a, 1) + along(a, 2)) + (along(b, 0) + along(b, 1) + along(b, 2));
-  return std::abs(n.x() * t.d.x() + n.y() * t.d.y() + n.z() * t.d.z()) - extents > t.rounding();
+  const double sum = ((entries(p, 0) + entries(p, 1)) + (entries(p, 2) + entries(q, 0))) +
+                     (entries(q, 1) + entries(q, 2));
+  const double d[3] = {a.centre.x() - b.centre.x(), a.centre.y() - b.centre.y(),
+                       a.centre.z() - b.centre.z()};
+  const Vector3<double>& g = a.half_lengths;
+  const Vector3<double>& h = b.half_lengths;
+  const double size = ((std::abs(d[0]) + std::abs(d[1])) + (std::abs(d[2]) + g.x())) +
+                      ((g.y() + g.z()) + (h.x() + h.y())) + h.z();
+  if (!(sum <= 16) || !in_filter_range(size)) return false;
+  double n[3];
+  if (k < 6) {
+    const Matrix3<double>& m = k < 3 ? p : q;
+    const int i = k < 3 ? k : k - 3;
+    for (int c = 0; c < 3; ++c) n[c] = m(c, i);
+  } else {
+    const int i = (k - 6) / 3, j = (k - 6) % 3;
+    n[0] = p(1, i) * q(2, j) - p(2, i) * q(1, j);
+    n[1] = p(2, i) * q(0, j) - p(0, i) * q(2, j);
+    n[2] = p(0, i) * q(1, j) - p(1, i) * q(0, j);
+  }
+  const auto along = [&n](const Matrix3<double>& m, int i) {
+    return std::abs(n[0] * m(0, i) + n[1] * m(1, i) + n[2] * m(2, i));
+  };
+  const double extents = (g.x() * along(p, 0) + g.y() * along(p, 1) + g.z() * along(p, 2)) +
+                         (h.x() * along(q, 0) + h.y() * along(q, 1) + h.z() * along(q, 2));
+  return std::abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) - extents >
+         0x1p15 * tolerance::unit_roundoff<double> * size;
 }
 // [/box-witness]
 
