@@ -8,6 +8,7 @@
 #include <contact/proximity.hpp>
 #include <contact/signed_distance.hpp>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ using pair_scenes::Scene;
 using peers::Answers;
 using peers::Witnesses;
 
+/// An answer that is neither of the two.
+constexpr char undecided = 2;
+
 /// The bodies of a scene in their own types, so that no variant is timed.
 template <class A, class B>
 std::vector<std::pair<A, B>> in_types(const Scene& scene) {
@@ -40,7 +44,7 @@ comparison::Method<Answers> deciding(const char* name, const std::vector<std::pa
                                      Meet meet) {
   return {name, [&kept, meet](Answers& answers) {
             for (std::size_t i = 0; i < kept.size(); ++i) {
-              answers[i] = meet(kept[i].first, kept[i].second, i) ? 1 : 0;
+              answers[i] = meet(kept[i].first, kept[i].second, i);
             }
           }};
 }
@@ -77,6 +81,7 @@ std::vector<peers::PairTest> others(Kind a, Kind b) {
 std::size_t wrong(const Scene& scene, const Answers& answers) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < scene.right.size(); ++i) {
+    if (answers[i] == undecided) continue;
     count += (answers[i] != 0) != (scene.right[i] <= 0) ? 1 : 0;
   }
   return count;
@@ -90,11 +95,31 @@ std::size_t inconsistent(const Scene& scene, const Witnesses& witnesses) {
   return count;
 }
 
+/// What each method got wrong in all scenes, by its name.
+struct Total {
+  std::size_t asked = 0, wrong = 0, undecided = 0;  ///< of decisions
+  std::size_t measured = 0, inconsistent = 0;       ///< of signed distances
+};
+using Totals = std::map<std::string, Total>;
+
+void print(const Totals& totals) {
+  std::printf("all pairs\n  %-34s %9s %9s %9s %9s %9s\n", "", "decided", "wrong", "undecided",
+              "distances", "inconsist");
+  for (const auto& [name, total] : totals) {
+    std::printf("  %-34s %9zu %9zu %9zu %9zu %9zu\n", name.c_str(), total.asked, total.wrong,
+                total.undecided, total.measured, total.inconsistent);
+  }
+}
+
 template <class A, class B>
-void decide(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it, int runs) {
+void decide(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it, int runs,
+            Totals& totals) {
   const auto kept = in_types<A, B>(scene);
   std::vector<contact::ProximityWitness> witnesses(kept.size());
-  const auto meets = [](contact::Proximity p) { return p != contact::Proximity::disjoint; };
+  const auto meets = [](contact::Proximity p) {
+    if (p == contact::Proximity::undecided) return undecided;
+    return static_cast<char>(p == contact::Proximity::disjoint ? 0 : 1);
+  };
   std::vector<comparison::Method<Answers>> methods{
       deciding<A, B>(
           "Contact Hours", kept,
@@ -109,7 +134,8 @@ void decide(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it,
                            contact::certified_proximity_with_witness(a, b, witnesses[i]).state);
                      }),
       deciding<A, B>("GJK, rounded", kept, [](const A& a, const B& b, std::size_t) {
-        return contact::gjk(a, b).distance <= contact::radius_of(a) + contact::radius_of(b);
+        const double reach = contact::radius_of(a) + contact::radius_of(b);
+        return static_cast<char>(contact::gjk(a, b).distance <= reach ? 1 : 0);
       })};
   for (const auto& test : peers_of_it) {
     const auto fine = careful::answered<char>(test.prepare, scene.plain);
@@ -124,15 +150,26 @@ void decide(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it,
                          }
                        }});
   }
-  comparison::compare<Answers>(
+  const auto rows = comparison::compare<Answers>(
       scene.title + ", " + std::to_string(kept.size()) + " pairs", "ns a pair",
       static_cast<double>(kept.size()), methods,
-      {{"wrong", [&](const Answers& answers) { return wrong(scene, answers); }}}, runs,
-      Answers(kept.size()));
+      {{"wrong", [&](const Answers& answers) { return wrong(scene, answers); }},
+       {"undecided",
+        [](const Answers& answers) {
+          return static_cast<std::size_t>(std::count(answers.begin(), answers.end(), undecided));
+        }}},
+      runs, Answers(kept.size()));
+  for (const auto& row : rows) {
+    Total& total = totals[row.name];
+    total.asked += kept.size();
+    total.wrong += row.counted[0];
+    total.undecided += row.counted[1];
+  }
 }
 
 template <class A, class B>
-void measure(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it, int runs) {
+void measure(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it, int runs,
+             Totals& totals) {
   const auto kept = in_types<A, B>(scene);
   std::vector<comparison::Method<Witnesses>> methods{
       {"Contact Hours", [&](Witnesses& found) {
@@ -155,7 +192,7 @@ void measure(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it
                          }
                        }});
   }
-  comparison::compare<Witnesses>(
+  const auto rows = comparison::compare<Witnesses>(
       scene.title + ", signed distances", "ns a pair", static_cast<double>(kept.size()), methods,
       {{"inconsist", [&](const Witnesses& found) { return inconsistent(scene, found); }},
        {"none",
@@ -164,9 +201,14 @@ void measure(const Scene& scene, const std::vector<peers::PairTest>& peers_of_it
               std::count_if(found.begin(), found.end(), [](const auto& w) { return !w.found; }));
         }}},
       runs, Witnesses(kept.size()));
+  for (const auto& row : rows) {
+    Total& total = totals[row.name];
+    total.measured += kept.size() - row.counted[1];
+    total.inconsistent += row.counted[0];
+  }
 }
 
-void compare(Kind a, Kind b, std::size_t count, int runs) {
+void compare(Kind a, Kind b, std::size_t count, int runs, Totals& totals) {
   const auto peers_of_it = others(a, b);
   for (const auto& group : pair_scenes::groups()) {
     const Scene scene = pair_scenes::scene(a, b, group, count);
@@ -174,8 +216,8 @@ void compare(Kind a, Kind b, std::size_t count, int runs) {
     pair_bodies::with(scene.pairs[0].a, scene.pairs[0].b, [&](const auto& x, const auto& y) {
       using A = std::decay_t<decltype(x)>;
       using B = std::decay_t<decltype(y)>;
-      decide<A, B>(scene, peers_of_it, runs);
-      measure<A, B>(scene, peers_of_it, runs);
+      decide<A, B>(scene, peers_of_it, runs, totals);
+      measure<A, B>(scene, peers_of_it, runs, totals);
     });
   }
 }
@@ -192,19 +234,22 @@ std::optional<Kind> kind_named(std::string_view text) {
 int main(int argc, char** argv) {
   const std::size_t count = comparison::number(argc, argv, 1, 1000);
   const int runs = static_cast<int>(comparison::number(argc, argv, 2, 5));
+  Totals totals;
   if (argc > 4) {
     const auto a = kind_named(argv[3]), b = kind_named(argv[4]);
     if (!a || !b) {
       std::fprintf(stderr, "convex_peers: no kind of body \"%s\"\n", a ? argv[4] : argv[3]);
       comparison::leave(2);
     }
-    compare(*a, *b, count, runs);
+    compare(*a, *b, count, runs, totals);
+    print(totals);
     comparison::leave(0);
   }
   for (const Kind a : pair_bodies::all_kinds) {
     for (const Kind b : pair_bodies::all_kinds) {
-      if (a <= b) compare(a, b, count, runs);
+      if (a <= b) compare(a, b, count, runs, totals);
     }
   }
+  print(totals);
   comparison::leave(0);
 }

@@ -23,12 +23,11 @@ enum class Motion {
 };
 // [/motion]
 
-/// The velocity of a body that moves and rotates.
-template <Ring S>
-struct BodyVelocity {
-  Vector3<S> centre = Vector3<S>::Zero();            ///< a point of the body, m
-  Vector3<S> velocity = Vector3<S>::Zero();          ///< of that point, m/s
-  Vector3<S> angular_velocity = Vector3<S>::Zero();  ///< in world coordinates, rad/s
+/// How a body moves and rotates at a moment.
+struct BodyMotion {
+  Vector3<double> centre = Vector3<double>::Zero();   ///< a point of the body, m
+  Vector3<double> linear = Vector3<double>::Zero();   ///< velocity of that point, m/s
+  Vector3<double> angular = Vector3<double>::Zero();  ///< velocity in world coordinates, rad/s
 };
 
 namespace detail {
@@ -40,13 +39,12 @@ inline Motion motion_of_sign(int sign) {
 
 /// n · (v + ω × (p − centre)) of A minus that of B, in a number type.
 template <class T>
-T approach_speed(const BodyVelocity<double>& a, const BodyVelocity<double>& b,
-                 const Vector3<double>& point, const Vector3<double>& normal) {
+T approach_speed(const BodyMotion& a, const BodyMotion& b, const Vector3<double>& point,
+                 const Vector3<double>& normal) {
   const Triple<T> p = triple<T>(point), n = triple<T>(normal);
-  const auto of_body = [&](const BodyVelocity<double>& body) {
+  const auto of_body = [&](const BodyMotion& body) {
     const Triple<T> lever = minus(p, triple<T>(body.centre));
-    return dot(n, triple<T>(body.velocity)) +
-           dot(n, cross(triple<T>(body.angular_velocity), lever));
+    return dot(n, triple<T>(body.linear)) + dot(n, cross(triple<T>(body.angular), lever));
   };
   return of_body(a) - of_body(b);
 }
@@ -63,13 +61,12 @@ T approach_speed(const BodyVelocity<double>& a, const BodyVelocity<double>& b,
 /// @param point of the contact, m
 /// @return resting if a number is not finite
 inline Motion motion_in_contact(const Vector3<double>& normal, const Vector3<double>& point,
-                                const BodyVelocity<double>& a, const BodyVelocity<double>& b) {
+                                const BodyMotion& a, const BodyMotion& b) {
   const RunningError rounded = detail::approach_speed<RunningError>(a, b, point, normal);
   const int certain = rounded.certain_sign();
   if (certain != 0 && std::isfinite(rounded.bound)) return detail::motion_of_sign(certain);
-  const auto is_finite = [](const BodyVelocity<double>& body) {
-    return all_finite(body.centre) && all_finite(body.velocity) &&
-           all_finite(body.angular_velocity);
+  const auto is_finite = [](const BodyMotion& body) {
+    return all_finite(body.centre) && all_finite(body.linear) && all_finite(body.angular);
   };
   if (!is_finite(a) || !is_finite(b) || !all_finite(point) || !all_finite(normal)) {
     return Motion::resting;
@@ -81,9 +78,9 @@ inline Motion motion_in_contact(const Vector3<double>& normal, const Vector3<dou
 /// @param velocity_a, velocity_b m/s
 inline Motion motion_in_contact(const Vector3<double>& normal, const Vector3<double>& velocity_a,
                                 const Vector3<double>& velocity_b) {
-  BodyVelocity<double> a, b;
-  a.velocity = velocity_a;
-  b.velocity = velocity_b;
+  BodyMotion a, b;
+  a.linear = velocity_a;
+  b.linear = velocity_b;
   return motion_in_contact(normal, Vector3<double>::Zero(), a, b);
 }
 // [/approach]
