@@ -1,5 +1,6 @@
 // Decisions for every pair of kinds that other tests do not ask for: half-spaces, floats, numbers
 // that are none, scales, and witnesses, which must not change the answer.
+#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -40,7 +41,7 @@ using Point = contact::Vector3<double>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool any_two(pair_bodies::Kind, pair_bodies::Kind) { return true; }
+bool any_two(pair_bodies::Kind a, pair_bodies::Kind b) { return a <= b; }
 
 // ---------------------------------------------------------------- half-spaces
 
@@ -242,7 +243,7 @@ ProximityWitness any_witness(Random& random) {
 TEST_CASE("no witness, whatever it says, changes how two bodies lie to each other") {
   Random random(934);
   int used = 0, undecided = 0;
-  pair_checks::each_pair(935, tried(1), any_two, [&](const Pair& pair, auto family) {
+  pair_checks::each_pair(935, std::max(1, tried(1)), any_two, [&](const Pair& pair, auto family) {
     pair_bodies::with(pair.a, pair.b, [&](const auto& a, const auto& b) {
       const CertifiedProximity without = certified_proximity(a, b);
       ProximityWitness witness = any_witness(random);
