@@ -151,7 +151,7 @@ KEY("undecided-means") {
   CHECK(found.state == Proximity::undecided);
   CHECK(found.low < 0);
   CHECK(found.high > 0);
-  return found.high - found.low < 1e-12 ? 1 : 2;
+  return found.high - found.low < 1e-13 ? 1 : 2;
 }
 
 KEY("witness-fails") {

@@ -31,10 +31,11 @@ void tell(const char* bodies, const A& a, const B& b) {
   std::printf("%-34s %-12s %-6s %-6s", bodies, name_of(found.state), plane ? "yes" : "no",
               point ? "yes" : "no");
   if (found.state == Proximity::undecided) {
-    std::printf(" from %.0e to %.0e\n", found.low, found.high);
-  } else {
-    std::printf("\n");
+    double bound = 1;
+    while (bound / 10 > found.high - found.low) bound /= 10;
+    std::printf(" the interval is shorter than %.0e m", bound);
   }
+  std::printf("\n");
 }
 
 }  // namespace
