@@ -229,6 +229,7 @@ bool contains(const Capsule<S>& body, const Vector3<S>& point) {
         contains_detail::RoundTerms<T>(body.core, body.radius, point), sure);
   });
 }
+/// Whether a cylinder contains a point, exactly.
 template <FloatOrDouble S>
 bool contains(const Cylinder<S>& body, const Vector3<S>& point) {
   if (!all_finite(point) || !is_finite(gjk_detail::largest_number(body))) return false;
@@ -238,6 +239,7 @@ bool contains(const Cylinder<S>& body, const Vector3<S>& point) {
         contains_detail::RoundTerms<T>(body.core, body.radius, point), sure);
   });
 }
+/// Whether an ellipsoid contains a point, exactly.
 template <FloatOrDouble S>
 bool contains(const Ellipsoid<S>& body, const Vector3<S>& point) {
   if (!all_finite(point) || !all_finite(body.centre) || !all_finite(body.axes) ||
@@ -248,16 +250,19 @@ bool contains(const Ellipsoid<S>& body, const Vector3<S>& point) {
     return contains_detail::in_ellipsoid<T>(body, point, sure);
   });
 }
+/// Whether a triangle contains a point, exactly.
 template <FloatOrDouble S>
 bool contains(const Triangle<S>& body, const Vector3<S>& point) {
   if (!all_finite(point) || !is_finite(gjk_detail::largest_number(body))) return false;
   return contains_detail::within(body, point);
 }
+/// Whether a lozenge contains a point, exactly.
 template <FloatOrDouble S>
 bool contains(const Lozenge<S>& body, const Vector3<S>& point) {
   if (!all_finite(point) || !is_finite(gjk_detail::largest_number(body))) return false;
   return !(body.radius < S(0)) && contains_detail::within(body, point);
 }
+/// Whether a convex hull contains a point, exactly.
 template <FloatOrDouble S>
 bool contains(const ConvexHull<S>& body, const Vector3<S>& point) {
   if (!all_finite(point) || body.vertices.empty()) return false;

@@ -37,9 +37,9 @@ namespace contact {
 /// What is not a body has no points: then the state is disjoint, without a plane, and the bounds
 /// are ∞.
 struct CertifiedProximity {
-  Proximity state = Proximity::undecided;
-  SeparatingPlane plane;    ///< see separates() and separates_weakly()
-  CommonPointProof common;  ///< see overlap_proved() and meeting_proved()
+  Proximity state = Proximity::undecided;  ///< the case, proved unless it is undecided
+  SeparatingPlane plane;                   ///< see separates() and separates_weakly()
+  CommonPointProof common;                 ///< see overlap_proved() and meeting_proved()
   double low = -std::numeric_limits<double>::infinity();  ///< m
   double high = std::numeric_limits<double>::infinity();  ///< m
 };

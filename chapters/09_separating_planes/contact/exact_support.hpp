@@ -47,20 +47,24 @@ template <FloatOrDouble S>
 Capsule<double> in_double(const Capsule<S>& body) {
   return {in_double(body.core), body.radius};
 }
+/// A cylinder in double.
 template <FloatOrDouble S>
 Cylinder<double> in_double(const Cylinder<S>& body) {
   return {in_double(body.core), body.radius};
 }
+/// A lozenge in double.
 template <FloatOrDouble S>
 Lozenge<double> in_double(const Lozenge<S>& body) {
   return {body.corner.template cast<double>(), body.first_edge.template cast<double>(),
           body.second_edge.template cast<double>(), body.radius};
 }
+/// An ellipsoid in double.
 template <FloatOrDouble S>
 Ellipsoid<double> in_double(const Ellipsoid<S>& body) {
   return {body.centre.template cast<double>(), body.axes.template cast<double>(),
           body.half_lengths.template cast<double>()};
 }
+/// A convex hull in double.
 template <FloatOrDouble S>
 ConvexHull<double> in_double(const ConvexHull<S>& body) {
   ConvexHull<double> hull;

@@ -52,7 +52,8 @@ template <FloatOrDouble S>
 struct GjkStart {
   Vector3<S> direction = Vector3<S>::Zero();  ///< from B to A, of any length; 0: unknown
   int count = 0;                              ///< vertices of the simplex; 0: none is known
-  std::array<int, 4> a{}, b{};                ///< which vertices of the cores of A and of B
+  std::array<int, 4> a{};                     ///< which vertices of the core of A
+  std::array<int, 4> b{};                     ///< which vertices of the core of B
   S accuracy = S(0);  ///< ends once distance − lower is at most this, m; 0: as far as possible
 };
 // [/gjk-result]

@@ -86,10 +86,12 @@ inline SeparatingPlane exchanged(const SeparatingPlane& plane) {
   const Vector3<double> zero = Vector3<double>::Zero();
   return {Vector3<double>(zero - plane.normal), Vector3<Exact>(-plane.exact_normal)};
 }
+/// The same with the two bodies exchanged.
 inline CommonPointProof exchanged(CommonPointProof common) {
   std::swap(common.of_a, common.of_b);
   return common;
 }
+/// The same with the two bodies exchanged.
 inline CertifiedProximity exchanged(CertifiedProximity answer) {
   answer.plane = exchanged(answer.plane);
   answer.common = exchanged(std::move(answer.common));
@@ -101,14 +103,17 @@ template <FloatOrDouble S, ConvexBody B>
 bool separates(const SeparatingPlane& plane, const HalfSpace<S>& a, const B& b) {
   return separates(exchanged(plane), b, a);
 }
+/// The same for a half-space and a body.
 template <FloatOrDouble S, ConvexBody B>
 bool separates_weakly(const SeparatingPlane& plane, const HalfSpace<S>& a, const B& b) {
   return separates_weakly(exchanged(plane), b, a);
 }
+/// The same for a half-space and a body.
 template <FloatOrDouble S, ConvexBody B>
 bool overlap_proved(const CommonPointProof& common, const HalfSpace<S>& a, const B& b) {
   return overlap_proved(exchanged(common), b, a);
 }
+/// The same for a half-space and a body.
 template <FloatOrDouble S, ConvexBody B>
 bool meeting_proved(const CommonPointProof& common, const HalfSpace<S>& a, const B& b) {
   return meeting_proved(exchanged(common), b, a);

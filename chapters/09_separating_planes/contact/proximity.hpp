@@ -64,6 +64,7 @@ CertifiedProximity certified_proximity(const A& a, const HalfSpace<S>& b) {
   const Vector3<double> normal = b.boundary.normal.template cast<double>();
   return detail::certify_half_space(detail::as_double(a), {{normal, double(b.boundary.offset)}});
 }
+/// The same for a half-space and a body.
 template <FloatOrDouble S, ConvexBody B>
 CertifiedProximity certified_proximity(const HalfSpace<S>& a, const B& b) {
   return exchanged(certified_proximity(b, a));
@@ -77,10 +78,12 @@ template <ConvexBody A, ConvexBody B>
 Proximity proximity(const A& a, const B& b) {
   return certified_proximity(a, b).state;
 }
+/// The same for a body and a half-space.
 template <ConvexBody A, FloatOrDouble S>
 Proximity proximity(const A& a, const HalfSpace<S>& b) {
   return certified_proximity(a, b).state;
 }
+/// The same for a body and a half-space.
 template <FloatOrDouble S, ConvexBody B>
 Proximity proximity(const HalfSpace<S>& a, const B& b) {
   return certified_proximity(a, b).state;

@@ -137,18 +137,22 @@ template <Ring S>
 const Vector3<S>& vertex(const Sphere<S>& body, int) {
   return body.centre;
 }
+/// Vertex i of a capsule.
 template <Ring S>
 const Vector3<S>& vertex(const Capsule<S>& body, int i) {
   return i == 0 ? body.core.start : body.core.end;
 }
+/// Vertex i of a triangle.
 template <Ring S>
 const Vector3<S>& vertex(const Triangle<S>& body, int i) {
   return i == 0 ? body.a : (i == 1 ? body.b : body.c);
 }
+/// Vertex i of a convex hull.
 template <Ring S>
 const Vector3<S>& vertex(const ConvexHull<S>& body, int i) {
   return body.vertices[static_cast<std::size_t>(i)];
 }
+/// Vertex i of a lozenge.
 template <Ring S>
 Vector3<S> vertex(const Lozenge<S>& body, int i) {
   Vector3<S> corner = body.corner;
@@ -156,6 +160,7 @@ Vector3<S> vertex(const Lozenge<S>& body, int i) {
   if ((i & 2) != 0) corner = corner + body.second_edge;
   return corner;
 }
+/// Vertex i of a box.
 template <Ring S>
 Vector3<S> vertex(const OrientedBox<S>& body, int i) {
   return box_corner(body, i);
@@ -199,26 +204,30 @@ Vector3<Exact> exact_vertex(const Body& body, int i) {
 /// Edges and axes decide for a capsule, a lozenge and a box, so that their position does not round
 /// the comparison. Up to rounding the vertex is the farthest: no other exceeds n · v by more than
 /// γ(4) of the absolute terms of what is compared. With an exact type it is the farthest.
-/// @param n of any length; for 0, or NaN, vertex 0
+/// The direction has any length; for 0, or NaN, the answer is vertex 0.
 template <Ring S>
 int support_vertex(const Sphere<S>&, const detail::Direction<S>&) {
   return 0;
 }
+/// The same of a capsule.
 template <Ring S>
 int support_vertex(const Capsule<S>& body, const detail::Direction<S>& n) {
   return S(0) < detail::dot3<S>(n, body.core.end - body.core.start) ? 1 : 0;
 }
+/// The same of a triangle.
 template <Ring S>
 int support_vertex(const Triangle<S>& body, const detail::Direction<S>& n) {
   const S ab = detail::dot3<S>(n, body.b - body.a), ac = detail::dot3<S>(n, body.c - body.a);
   if (ab < ac) return S(0) < ac ? 2 : 0;
   return S(0) < ab ? 1 : 0;
 }
+/// The same of a lozenge.
 template <Ring S>
 int support_vertex(const Lozenge<S>& body, const detail::Direction<S>& n) {
   return (S(0) < detail::dot3<S>(n, body.first_edge) ? 1 : 0) |
          (S(0) < detail::dot3<S>(n, body.second_edge) ? 2 : 0);
 }
+/// The same of a box.
 template <Ring S>
 int support_vertex(const OrientedBox<S>& body, const detail::Direction<S>& n) {
   int corner = 0;
@@ -227,6 +236,7 @@ int support_vertex(const OrientedBox<S>& body, const detail::Direction<S>& n) {
   }
   return corner;
 }
+/// The same of a convex hull.
 template <Ring S>
 int support_vertex(const ConvexHull<S>& body, const detail::Direction<S>& n) {
   int farthest = 0;
@@ -336,10 +346,12 @@ Vector3<ScalarOf<Body>> inner_point(const Body& body) {
     return mean;
   }
 }
+/// An inner point of a cylinder.
 template <FloatOrDouble S>
 Vector3<S> inner_point(const Cylinder<S>& body) {
   return body.core.start / S(2) + body.core.end / S(2);
 }
+/// An inner point of an ellipsoid.
 template <FloatOrDouble S>
 Vector3<S> inner_point(const Ellipsoid<S>& body) {
   return body.centre;
