@@ -63,7 +63,7 @@ SeparatingPlane tampered(Random& random, SeparatingPlane plane) {
 TEST_CASE("a plane separates two bodies exactly if it does in fractions, with a bit changed too") {
   Random random(900);
   int refused = 0, accepted = 0, weak = 0;
-  pair_checks::each_pair(901, std::max(1, tried(8)), any_two, [&](const Pair& pair, Family family) {
+  pair_checks::each_pair(901, tried(8), any_two, [&](const Pair& pair, Family family) {
     pair_bodies::with(pair.a, pair.b, [&](const auto& a, const auto& b) {
       const auto answer = contact::certified_proximity(a, b);
       if (answer.state != Proximity::disjoint && answer.state != Proximity::touching) return;
@@ -140,7 +140,7 @@ CommonPointProof tampered(Random& random, CommonPointProof common) {
 TEST_CASE("a common point proves nothing that is not true in fractions, tampered with or not") {
   Random random(902);
   int refused = 0, accepted = 0;
-  pair_checks::each_pair(903, std::max(1, tried(8)), any_two, [&](const Pair& pair, Family family) {
+  pair_checks::each_pair(903, tried(8), any_two, [&](const Pair& pair, Family family) {
     pair_bodies::with(pair.a, pair.b, [&](const auto& a, const auto& b) {
       const auto answer = contact::certified_proximity(a, b);
       if (answer.state == Proximity::undecided || answer.common.count == 0) return;
@@ -233,7 +233,7 @@ TEST_CASE("members, counts and weights that are none prove nothing") {
 }
 
 TEST_CASE("a point near a common one is close to both bodies") {
-  pair_checks::each_pair(904, std::max(1, tried(2)), any_two, [&](const Pair& pair, Family family) {
+  pair_checks::each_pair(904, tried(2), any_two, [&](const Pair& pair, Family family) {
     pair_bodies::with(pair.a, pair.b, [&](const auto& a, const auto& b) {
       const auto answer = contact::certified_proximity(a, b);
       if (answer.state != Proximity::touching && answer.state != Proximity::overlapping) return;

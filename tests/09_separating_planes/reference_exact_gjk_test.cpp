@@ -51,63 +51,61 @@ std::vector<DifferenceIndex> any_start(Random& random, const A& a, const B& b) {
 TEST_CASE("the exact distance of cores is that of all features, from any start") {
   Random random(910);
   int apart = 0, meeting = 0;
-  pair_checks::each_pair(
-      911, std::max(1, tried(4)), pair_checks::polytopes, [&](const auto& pair, auto family) {
-        pair_bodies::with_polytopes(pair.a, pair.b, [&](const auto& x, const auto& y) {
-          const auto a = core(x);
-          const auto b = core(y);
-          const auto truth = pair_truth::truth(a, b);
-          const ExactClosest found = exact_gjk(a, b, any_start(random, a, b));
-          INFO(name(family) << "\n" << pair_checks::text_of(pair));
-          REQUIRE((truth.sign <= 0) == contact::detail::is_zero(found.direction));
-          ++(truth.sign > 0 ? apart : meeting);
-          if (truth.sign <= 0) {
-            CHECK(rounded_distance(found) == 0);
-            CHECK(rounded_difference(found) == Point::Zero());
-            CHECK(rounded_direction(found) == Point::Zero());
-            return;
-          }
-          const Vector v = rational_of(found.direction);
-          const Rational h = rational_of(found.offset);
-          CHECK(oracle::compare({0, h / v.dot(v), v.dot(v)}, truth.distance) == 0);
-          const double right = oracle::nearest(truth.distance);
-          CHECK(std::abs(rounded_distance(found) - right) <= 0x1p-51 * right);
-          for (int i = 0; i < 3; ++i) {
-            CHECK(rounded_difference(found)(i) == oracle::nearest(Rational(v(i) * h / v.dot(v))));
-          }
-          CHECK(rounded_direction(found).cwiseAbs().maxCoeff() == 1);
-        });
-      });
+  pair_checks::each_pair(911, tried(4), pair_checks::polytopes, [&](const auto& pair, auto family) {
+    pair_bodies::with_polytopes(pair.a, pair.b, [&](const auto& x, const auto& y) {
+      const auto a = core(x);
+      const auto b = core(y);
+      const auto truth = pair_truth::truth(a, b);
+      const ExactClosest found = exact_gjk(a, b, any_start(random, a, b));
+      INFO(name(family) << "\n" << pair_checks::text_of(pair));
+      REQUIRE((truth.sign <= 0) == contact::detail::is_zero(found.direction));
+      ++(truth.sign > 0 ? apart : meeting);
+      if (truth.sign <= 0) {
+        CHECK(rounded_distance(found) == 0);
+        CHECK(rounded_difference(found) == Point::Zero());
+        CHECK(rounded_direction(found) == Point::Zero());
+        return;
+      }
+      const Vector v = rational_of(found.direction);
+      const Rational h = rational_of(found.offset);
+      CHECK(oracle::compare({0, h / v.dot(v), v.dot(v)}, truth.distance) == 0);
+      const double right = oracle::nearest(truth.distance);
+      CHECK(std::abs(rounded_distance(found) - right) <= 0x1p-51 * right);
+      for (int i = 0; i < 3; ++i) {
+        CHECK(rounded_difference(found)(i) == oracle::nearest(Rational(v(i) * h / v.dot(v))));
+      }
+      CHECK(rounded_direction(found).cwiseAbs().maxCoeff() == 1);
+    });
+  });
   CHECK(apart > tried(400));
   CHECK(meeting > tried(100));
 }
 
 TEST_CASE("the closest point is a mean of the vertices of the simplex with weights above 0") {
   Random random(912);
-  pair_checks::each_pair(
-      913, std::max(1, tried(1)), pair_checks::polytopes, [&](const auto& pair, auto) {
-        pair_bodies::with_polytopes(pair.a, pair.b, [&](const auto& a, const auto& b) {
-          const ExactClosest found = exact_gjk(a, b, any_start(random, a, b));
-          Vector sum = Vector::Zero();
-          Rational weights = 0;
-          REQUIRE(found.count >= 1);
-          REQUIRE(found.count <= 4);
-          for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
-            const Rational weight = rational_of(found.weights[i]);
-            CHECK(weight > 0);
-            const auto& of = found.vertex[i].of;
-            const Vector w = pair_truth::core_of(a).vertices[static_cast<std::size_t>(of.a)] -
-                             pair_truth::core_of(b).vertices[static_cast<std::size_t>(of.b)];
-            CHECK(w == rational_of(found.vertex[i].w));
-            sum += w * weight;
-            weights += weight;
-          }
-          // Σ λ w / Σ λ = h V / V², or 0.
-          const Vector v = rational_of(found.direction);
-          const Rational h = rational_of(found.offset);
-          CHECK(Vector(sum * v.dot(v)) == Vector(v * h * weights));
-        });
-      });
+  pair_checks::each_pair(913, tried(1), pair_checks::polytopes, [&](const auto& pair, auto) {
+    pair_bodies::with_polytopes(pair.a, pair.b, [&](const auto& a, const auto& b) {
+      const ExactClosest found = exact_gjk(a, b, any_start(random, a, b));
+      Vector sum = Vector::Zero();
+      Rational weights = 0;
+      REQUIRE(found.count >= 1);
+      REQUIRE(found.count <= 4);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
+        const Rational weight = rational_of(found.weights[i]);
+        CHECK(weight > 0);
+        const auto& of = found.vertex[i].of;
+        const Vector w = pair_truth::core_of(a).vertices[static_cast<std::size_t>(of.a)] -
+                         pair_truth::core_of(b).vertices[static_cast<std::size_t>(of.b)];
+        CHECK(w == rational_of(found.vertex[i].w));
+        sum += w * weight;
+        weights += weight;
+      }
+      // Σ λ w / Σ λ = h V / V², or 0.
+      const Vector v = rational_of(found.direction);
+      const Rational h = rational_of(found.offset);
+      CHECK(Vector(sum * v.dot(v)) == Vector(v * h * weights));
+    });
+  });
 }
 
 /// Points on a sphere, of which many are almost equally far along any direction.

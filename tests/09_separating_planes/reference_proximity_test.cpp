@@ -242,9 +242,10 @@ ProximityWitness any_witness(Random& random) {
 
 TEST_CASE("no witness, whatever it says, changes how two bodies lie to each other") {
   Random random(934);
-  int used = 0, undecided = 0;
-  pair_checks::each_pair(935, std::max(1, tried(3)), any_two, [&](const Pair& pair, auto family) {
+  int used = 0, undecided = 0, all = 0;
+  pair_checks::each_pair(935, tried(3), any_two, [&](const Pair& pair, auto family) {
     pair_bodies::with(pair.a, pair.b, [&](const auto& a, const auto& b) {
+      ++all;
       const CertifiedProximity without = certified_proximity(a, b);
       ProximityWitness witness = any_witness(random);
       const ProximityWitness given = witness;
@@ -262,7 +263,7 @@ TEST_CASE("no witness, whatever it says, changes how two bodies lie to each othe
     });
   });
   CHECK(used > tried(6));
-  CHECK(undecided < tried(170));
+  CHECK(undecided < all / 8);
 }
 
 TEST_CASE("a witness is used as long as it proves, and replaced when it does not") {
