@@ -92,8 +92,9 @@ export interface Rung {
   readonly frontier: boolean;
 }
 
-/** Whether the ladder counts wrong answers at all. */
-export const decides = ({ results }: LadderResult): boolean => results.some((row) => row.wrong > 0);
+/** Whether the ladder counts wrong answers: some are wrong, or no row has an error to show instead. */
+export const decides = ({ results }: LadderResult): boolean =>
+  results.some((row) => row.wrong > 0) || results.every((row) => row.error_max === null);
 
 /** The methods by time. */
 export function rungs(result: LadderResult): Rung[] {

@@ -243,6 +243,14 @@ test("where nothing is decided, the smaller error is the more often right", () =
   assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
 });
 
+test("where nothing has an error and nothing is wrong, the sentence counts wrong answers", () => {
+  const results = result.results.map((each) => ({ ...each, wrong: 0, error_max: null }));
+  assert.match(
+    draw({ ...result, results }).querySelector(".proven").textContent,
+    /: the fastest of the 2 methods that by design are never wrong, 5\s× the time of the fastest of all/,
+  );
+});
+
 /** The book's measurements. */
 function measured() {
   const folder = fileURLToPath(new URL("../../../benchmarks/results/", import.meta.url));
