@@ -33,6 +33,34 @@ struct BoxHierarchy {
 };
 // [/box-node]
 
+// [refit-box-tree]
+/// Recomputes the boxes of a tree whose items have moved; its structure stays. From the last node
+/// to the first: children follow their parent, so their boxes are ready when it needs them.
+///
+/// Each node's box is then the smallest one of the items below, as after building. So queries find
+/// the same items; but the longer the items have moved, the more boxes overlap, and the more nodes
+/// a query visits: hierarchy_surface() measures it.
+/// @param boxes of all items, by their numbers
+template <FloatOrDouble S>
+void refit_box_hierarchy(BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxes) {
+  for (std::size_t n = tree.nodes.size(); n-- > 0;) {
+    BoxNode<S>& node = tree.nodes[n];
+    const auto first = static_cast<std::size_t>(node.first);
+    if (node.count == 0) {
+      node.box = enclosing_box(tree.nodes[first].box, tree.nodes[first + 1].box);
+      continue;
+    }
+    const auto box_at = [&](std::size_t i) -> const Aabb<S>& {
+      return boxes[static_cast<std::size_t>(tree.order[i])];
+    };
+    node.box = box_at(first);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(node.count); ++i) {
+      node.box = enclosing_box(node.box, box_at(first + i));
+    }
+  }
+}
+// [/refit-box-tree]
+
 namespace detail {
 
 /// The longest path from the root to a leaf is less than this.
@@ -79,7 +107,7 @@ class BoxTreeBuilder {
     tree_.nodes.reserve(items.size());
     tree_.nodes.push_back({});
     build(0, 0, items.size(), 0);
-    enclose(boxes);
+    refit_box_hierarchy(tree_, boxes);
   }
 
   BoxHierarchy<S> take() { return std::move(tree_); }
@@ -239,25 +267,6 @@ class BoxTreeBuilder {
     tree_.nodes[node].first = static_cast<int>(begin);
     tree_.nodes[node].count = count;
   }
-
-  /// The boxes of the nodes, from the last to the first: children follow their parent.
-  void enclose(std::span<const Aabb<S>> boxes) {
-    for (std::size_t n = tree_.nodes.size(); n-- > 0;) {
-      BoxNode<S>& node = tree_.nodes[n];
-      const auto first = static_cast<std::size_t>(node.first);
-      if (node.count == 0) {
-        node.box = enclosing_box(tree_.nodes[first].box, tree_.nodes[first + 1].box);
-        continue;
-      }
-      const auto box_at = [&](std::size_t i) -> const Aabb<S>& {
-        return boxes[static_cast<std::size_t>(tree_.order[i])];
-      };
-      node.box = box_at(first);
-      for (std::size_t i = 1; i < static_cast<std::size_t>(node.count); ++i) {
-        node.box = enclosing_box(node.box, box_at(first + i));
-      }
-    }
-  }
 };
 
 }  // namespace detail
@@ -278,6 +287,27 @@ BoxHierarchy<S> build_box_hierarchy(std::span<const Aabb<S>> boxes, std::span<co
   return detail::BoxTreeBuilder<S>(boxes, items, max_leaf).take();
 }
 // [/build-box-tree]
+
+// [hierarchy-surface]
+/// The sum of the surfaces of all nodes except the root, in units of length², rounded: the expected
+/// number of nodes that a small box at a random position meets grows with it. After refitting,
+/// compare it with its value when the tree was built.
+/// @param length of which squares neither overflow nor underflow for these boxes, m, greater than 0
+template <FloatOrDouble S>
+double hierarchy_surface(const BoxHierarchy<S>& tree, double length) {
+  double sum = 0;
+  for (std::size_t n = 1; n < tree.nodes.size(); ++n) {
+    const Aabb<S>& box = tree.nodes[n].box;
+    std::array<double, 3> half;
+    for (int k = 0; k < 3; ++k) {
+      half[static_cast<std::size_t>(k)] = static_cast<double>(box.high[k]) / 2 / length -
+                                          static_cast<double>(box.low[k]) / 2 / length;
+    }
+    sum += 8 * (half[0] * half[1] + half[1] * half[2] + half[2] * half[0]);
+  }
+  return sum;
+}
+// [/hierarchy-surface]
 
 // [visit-tree]
 /// Calls visit(position) for each position of the order in each leaf whose box, and all boxes above

@@ -220,7 +220,7 @@ BroadPhaseCost broad_phase_cost(std::span<const Aabb<S>> boxes) {
 
 /// The pairs of boxes that touch, by the given method.
 /// @param boxes n of them, at most 2^32 − 1
-template <std::floating_point S>
+template <FloatOrDouble S>
 PairSearch touching_pairs(std::span<const Aabb<S>> boxes, BroadPhase method) {
   switch (method) {
     case BroadPhase::sweep:
