@@ -2,6 +2,7 @@
 /// The result of every broad phase, and the simplest method: all pairs.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <compare>
 #include <cstddef>
@@ -54,6 +55,13 @@ void test_pair(std::span<const Aabb<S>> boxes, std::uint32_t i, std::uint32_t j,
   ++search.box_tests;
   if (boxes_touch(boxes[i], boxes[j]))
     search.pairs.push_back(i < j ? BoxPair{i, j} : BoxPair{j, i});
+}
+
+/// Sorts pairs by a, then by b: as one number, which is faster to compare than two.
+inline void sort_pairs(std::vector<BoxPair>& pairs) {
+  const auto number = [](const BoxPair& pair) { return (std::uint64_t{pair.a} << 32) | pair.b; };
+  std::sort(pairs.begin(), pairs.end(),
+            [&](const BoxPair& x, const BoxPair& y) { return number(x) < number(y); });
 }
 
 /// Whether the box is one: finite, with low ≤ high in each coordinate. Only then do orders, cells

@@ -233,7 +233,7 @@ PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
     }
   }
   detail::test_with_all<S>(boxes, large, search);
-  std::sort(search.pairs.begin(), search.pairs.end());
+  detail::sort_pairs(search.pairs);
   return search;
 }
 

@@ -150,7 +150,7 @@ PairSearch FatBoxPairs<S>::update(std::span<const Aabb<S>> boxes) {
   }
   if (!irregular.empty()) {
     detail::test_with_all<S>(boxes, irregular, search);
-    std::sort(search.pairs.begin(), search.pairs.end());
+    detail::sort_pairs(search.pairs);
   }
   return search;
 }

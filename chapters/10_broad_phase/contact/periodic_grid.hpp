@@ -297,7 +297,7 @@ PairSearch periodic_grid_pairs(std::span<const Aabb<S>> boxes, const PeriodicGri
       }
     }
   }
-  std::sort(search.pairs.begin(), search.pairs.end());
+  detail::sort_pairs(search.pairs);
   return search;
 }
 // [/periodic-grid-pairs]

@@ -202,7 +202,7 @@ PairSearch region_pairs(std::span<const Aabb<S>> boxes, const Regions<S>& region
     }
   }
   detail::test_irregular(boxes, search);
-  std::sort(search.pairs.begin(), search.pairs.end());
+  detail::sort_pairs(search.pairs);
   return search;
 }
 // [/region-pairs]
@@ -230,7 +230,7 @@ PairSearch pairs_of_one_region_each(std::span<const Aabb<S>> boxes, const Region
     }
   }
   search.other_steps = boxes.size();
-  std::sort(search.pairs.begin(), search.pairs.end());
+  detail::sort_pairs(search.pairs);
   return search;
 }
 // [/one-region-each]

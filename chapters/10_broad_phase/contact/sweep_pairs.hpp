@@ -140,7 +140,7 @@ PairSearch sweep_pairs(std::span<const Aabb<S>> boxes, int axis) {
   PairSearch search;
   detail::sweep_sorted<S>(boxes, starts, axis, search);
   if (starts.size() < boxes.size()) detail::test_irregular(boxes, search);
-  std::sort(search.pairs.begin(), search.pairs.end());
+  detail::sort_pairs(search.pairs);
   return search;
 }
 
@@ -213,7 +213,7 @@ PairSearch IncrementalSweep<S>::update(std::span<const Aabb<S>> boxes) {
   }
   if (resorted_) detail::sort_starts(starts_);
   detail::sweep_sorted<S>(boxes, starts_, axis_, search);
-  std::sort(search.pairs.begin(), search.pairs.end());
+  detail::sort_pairs(search.pairs);
   return search;
 }
 // [/incremental-sweep]

@@ -198,7 +198,7 @@ PairSearch BoxTree<S>::pairs() const {
   PairSearch search;
   if (!tree_.nodes.empty()) within(0, search);
   detail::test_with_all<S>(boxes_, irregular_, search);
-  std::sort(search.pairs.begin(), search.pairs.end());
+  detail::sort_pairs(search.pairs);
   return search;
 }
 
