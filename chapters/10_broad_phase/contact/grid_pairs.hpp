@@ -225,11 +225,10 @@ PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
     for (std::size_t next = first + 1; next < entries.size() && entries[next].cell == cell;
          ++next) {
       const std::uint32_t j = entries[next].box;
-      if (block.first_common(ranges[i], ranges[j]) == cell) {
-        detail::test_pair(boxes, i, j, search);
-      } else {
-        ++search.other_steps;
-      }
+      const bool first_here = block.first_common(ranges[i], ranges[j]) == cell;
+      (first_here ? search.box_tests : search.other_steps) += 1;
+      if (first_here & detail::overlap(boxes[i], boxes[j]))
+        search.pairs.push_back({std::min(i, j), std::max(i, j)});
     }
   }
   detail::test_with_all<S>(boxes, large, search);
