@@ -39,13 +39,13 @@ std::uint32_t box_count(const Boxes& boxes) {
   return static_cast<std::uint32_t>(boxes.size());
 }
 
-/// The same as boxes_touch() for numbers that are not NaN, without branches: where the result is
-/// hard to predict, a mispredicted branch costs more than six comparisons.
+/// The same as boxes_touch() without branches: where the result is hard to predict, a mispredicted
+/// branch costs more than six comparisons.
 template <Ring S>
 bool overlap(const Aabb<S>& a, const Aabb<S>& b) {
-  bool all = true;
-  for (int k = 0; k < 3; ++k) all &= (a.low(k) <= b.high(k)) & (b.low(k) <= a.high(k));
-  return all;
+  int apart = 0;
+  for (int k = 0; k < 3; ++k) apart |= int(a.high(k) < b.low(k)) | int(b.high(k) < a.low(k));
+  return apart == 0;
 }
 
 /// Compares boxes i and j, and records the pair if they touch.

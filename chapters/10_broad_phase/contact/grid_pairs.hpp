@@ -227,7 +227,7 @@ PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
       const std::uint32_t j = entries[next].box;
       const bool first_here = block.first_common(ranges[i], ranges[j]) == cell;
       (first_here ? search.box_tests : search.other_steps) += 1;
-      if (first_here & detail::overlap(boxes[i], boxes[j]))
+      if ((int(first_here) & int(detail::overlap(boxes[i], boxes[j]))) != 0)
         search.pairs.push_back({std::min(i, j), std::max(i, j)});
     }
   }

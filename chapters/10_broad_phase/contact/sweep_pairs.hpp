@@ -104,9 +104,9 @@ void sweep_sorted(std::span<const Aabb<S>> boxes, std::span<const SweepStart<S>>
     std::size_t next = first + 1;
     for (; next < line.size() && !(one.high < line[next].low); ++next) {
       const SweepBox<S>& other = line[next];
-      const bool touch = (one.lows[0] <= other.highs[0]) & (other.lows[0] <= one.highs[0]) &
-                         (one.lows[1] <= other.highs[1]) & (other.lows[1] <= one.highs[1]);
-      if (touch)
+      const int apart = int(one.highs[0] < other.lows[0]) | int(other.highs[0] < one.lows[0]) |
+                        int(one.highs[1] < other.lows[1]) | int(other.highs[1] < one.lows[1]);
+      if (apart == 0)
         search.pairs.push_back({std::min(one.box, other.box), std::max(one.box, other.box)});
     }
     search.box_tests += next - first - 1;

@@ -143,8 +143,7 @@ double BoxTree<S>::growth() const {
 // [/refit]
 
 // [tree-descent]
-/// Compares the items at two positions of the order. They are boxes, so of two that overlap on each
-/// axis, written without branches, both have a point in common.
+/// Compares the items at two positions of the order.
 template <FloatOrDouble S>
 void BoxTree<S>::test(int i, int j, PairSearch& search) const {
   const Aabb<S>& a = ordered_[static_cast<std::size_t>(i)];
