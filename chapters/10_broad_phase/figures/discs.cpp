@@ -27,7 +27,7 @@ struct Input {
   double time;    // s
 };
 
-constexpr std::size_t most_discs = 5000, most_boxes = 48;
+constexpr std::size_t most_discs = 5000, few_discs = 8, most_boxes = 48;
 constexpr std::size_t across = 50, bins = 100;
 
 struct Output {
@@ -40,6 +40,7 @@ struct Output {
   double compared;                      // pairs by the chosen method
   double all_pairs, sweep, grid, tree;  // pairs compared by each
   double entries;                       // of boxes in cells, and pairs skipped there
+  double nodes;                         // comparisons of two nodes of the tree
   double touching;                      // pairs of boxes that touch
   double cheapest;                      // the method that the cost model predicts
   double compared_with_yours, touching_yours;
@@ -58,6 +59,9 @@ struct Output {
   double whole_edge;
   Point first_cell, last_cell;
   double same_cells;
+  // For one that sweeps: (radius, radius), and the boxes of the first discs, low and high.
+  Point reach;
+  std::array<std::array<Point, 2>, few_discs> few;
   // Goals of questions.
   double many_cells;     // the grid compares the reader's disc with all
   double grid_is_worse;  // than all pairs, by comparisons and entries
@@ -317,6 +321,7 @@ void search(const Input& in, const Boxes& boxes, Output& out) {
   out.grid = double(by_grid.box_tests);
   out.entries = double(by_grid.other_steps);
   out.tree = double(by_tree.box_tests);
+  out.nodes = double(by_tree.other_steps);
   out.cheapest = double(contact::broad_phase_cost(all).cheapest());
   // [/compared]
   const contact::PairSearch found = in.method == 0   ? contact::all_pairs(all)
@@ -361,12 +366,15 @@ Output compute(const Input& in) {
   Boxes boxes = boxes_of(discs);
   boxes.push_back(box_of(in.yours, in.radius));
   search(in, boxes, out);
+  out.reach = Point::Constant(in.radius);
+  for (std::size_t i = 0; i < std::min(number, few_discs); ++i)
+    out.few[i] = {boxes[i].low.head<2>(), boxes[i].high.head<2>()};
   in_whole_numbers(in, boxes.back(), out);
   return out;
 }
 
 FIGURE(Input, FIELDS(number, method, edge, yours, radius, mixed, time), Output,
        FIELDS(problem, count, radii, centre, state, compared, all_pairs, sweep, grid, tree, entries,
-              touching, cheapest, compared_with_yours, touching_yours, cells, in_cell, most_in_cell,
-              at_x, most_at_x, boxes, box_low, box_high, low, high, whole_edge, first_cell,
-              last_cell, same_cells, many_cells, grid_is_worse))
+              nodes, touching, cheapest, compared_with_yours, touching_yours, cells, in_cell,
+              most_in_cell, at_x, most_at_x, boxes, box_low, box_high, low, high, whole_edge,
+              first_cell, last_cell, same_cells, reach, few, many_cells, grid_is_worse))

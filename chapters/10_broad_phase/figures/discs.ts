@@ -24,6 +24,7 @@ interface Output {
   grid: number;
   tree: number;
   entries: number;
+  nodes: number;
   touching: number;
   cheapest: number;
   compared_with_yours: number;
@@ -176,7 +177,7 @@ export default defineFigure<Input, Output>({
       unit: "s",
       play: 8,
     },
-    { kind: "slider", field: "number", label: "discs", min: 100, max: 5000, step: 100 },
+    { kind: "slider", field: "number", label: "discs", min: 8, max: 5000, step: 8 },
     { kind: "slider", field: "edge", label: "cell", min: 0.05, max: 5, step: 0.05, unit: "m" },
     {
       kind: "choice",
@@ -218,14 +219,14 @@ export default defineFigure<Input, Output>({
     };
     return [
       { name: "touching", meaning: "pairs of boxes", value: counted(output.touching) },
-      row(0, output.all_pairs, "comparisons: each with each"),
-      row(SWEEP, output.sweep, "comparisons: both on one stretch of x"),
+      row(0, output.all_pairs, "comparisons, each with each"),
+      row(SWEEP, output.sweep, "comparisons of boxes that overlap along x"),
       row(
         GRID,
         output.grid,
-        `comparisons: a cell in common, and ${counted(output.entries)} steps for cells`,
+        `comparisons in cells, and ${counted(output.entries)} steps for entries`,
       ),
-      row(TREE, output.tree, "comparisons: in leaves that touch"),
+      row(TREE, output.tree, `comparisons in leaves, and ${counted(output.nodes)} of nodes`),
       {
         name: "yours",
         meaning: `compared with so many discs, and ${counted(output.touching_yours)} of them touch it`,
