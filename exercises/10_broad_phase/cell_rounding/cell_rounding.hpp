@@ -1,0 +1,44 @@
+/// @file
+/// Exercise: boxes for which the cells of a grid are computed wrongly.
+///
+/// A box is an interval of one axis, ends included. Cell k of a grid has the points with
+/// k * edge <= x < (k + 1) * edge. All numbers are meant as they are stored: no number is 0.1
+/// exactly.
+#pragma once
+
+#include <contact/prelude.hpp>
+
+namespace exercise {
+
+/// The points from low to high.
+struct Interval {
+  double low;
+  double high;  ///< not less than low
+};
+
+/// A box and a grid.
+struct Entry {
+  double edge;
+  Interval box;
+};
+
+/// Two boxes and a grid.
+struct Pair {
+  double edge;
+  Interval a;
+  Interval b;
+};
+
+/// A box that given::cells_by_truncation puts in a cell in which it has no point. The edge is from
+/// 0.01 to 10, and the coordinates are from -100 to 100.
+Entry in_a_cell_without_a_point();
+
+/// Boxes with a common point of which given::is_found says that a does not find b. The edge is from
+/// 0.01 to 10, and the coordinates are from -100 to 100.
+Pair lost_by_the_reciprocal();
+
+/// Boxes with a common point for which given::share_a_key says that they have no key in common. The
+/// edge is from 0.01 to 10, and the coordinates are from -10 to 10.
+Pair lost_by_added_keys();
+
+}  // namespace exercise
