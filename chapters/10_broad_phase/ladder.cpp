@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <contact/broad_phase_cost.hpp>
+#include <contact/moving_boxes.hpp>
+#include <contact/sweep_and_prune.hpp>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -26,25 +28,39 @@ ladder::Method exact(const char* id, const char* title) {
   return {.id = id, .title = title, .scalar = "double", .exact = true};
 }
 
-/// What the methods are asked: the boxes, and what is kept from the step before.
+/// By which fat boxes are larger on each side, m.
+constexpr double margin = 0.05;
+
+/// What methods keep from step to step, as the step before has left it. Each answer begins with a
+/// copy, which is timed with it.
+struct Kept {
+  IncrementalSweep<double> sweep;
+  contact::SweepAndPrune<double> three_axes = {};
+  contact::BoxTree<double> tree;
+  contact::FatBoxPairs<double> fat{margin};
+
+  explicit Kept(const Boxes& before)
+      : sweep(contact::best_sweep_axis<double>(before)), tree(before) {
+    sweep.update(before);
+    three_axes.update(before);
+    fat.update(before);
+  }
+};
+
+/// What the methods are asked.
 struct Input {
   Boxes boxes;
   std::vector<Aabb<float>> in_float;  ///< each coordinate rounded to the nearest
-  int axis;                           ///< of the sweeps that are told one
-  IncrementalSweep<double> kept;      ///< with the order of the step before
+  Kept kept;
 };
 using Asked = std::shared_ptr<const Input>;
 using Answer = std::vector<BoxPair>;
 
 Asked made(Boxes boxes, const Boxes& before) {
-  const int axis = contact::best_sweep_axis<double>(before);
-  IncrementalSweep<double> kept(axis);
-  kept.update(before);
   std::vector<Aabb<float>> in_float;
   for (const Aabb<double>& box : boxes)
     in_float.push_back({box.low.cast<float>(), box.high.cast<float>()});
-  return std::make_shared<const Input>(
-      Input{std::move(boxes), std::move(in_float), axis, std::move(kept)});
+  return std::make_shared<const Input>(Input{std::move(boxes), std::move(in_float), Kept(before)});
 }
 
 Vector anywhere(generators::Random& random, double low, double high) {
@@ -54,10 +70,10 @@ Vector anywhere(generators::Random& random, double low, double high) {
   return {x, y, z};
 }
 
-/// The boxes as they were one step earlier: each moved by up to `step` on each axis.
-Boxes moved(generators::Random& random, Boxes boxes, double step) {
+/// The boxes one step earlier or later: each moved by up to `step` on each axis.
+Boxes moved(generators::Random& random, Boxes boxes, const Vector& step) {
   for (Aabb<double>& box : boxes) {
-    const Vector by = anywhere(random, -step, step);
+    const Vector by = anywhere(random, -1, 1).cwiseProduct(step);
     box.low += by;
     box.high += by;
   }
@@ -249,7 +265,7 @@ ladder::Ladder<Asked, Answer> experiment() {
   const auto family = [&ladder](const char* id, const char* title, auto make) {
     ladder.family(id, title, [make](generators::Random& random) {
       Boxes boxes = make(random);
-      const Boxes before = moved(random, boxes, 0.01);
+      const Boxes before = moved(random, boxes, Vector::Constant(0.01));
       return made(std::move(boxes), before);
     });
   };
@@ -266,7 +282,7 @@ ladder::Ladder<Asked, Answer> experiment() {
     return contact::sweep_pairs<double>(input->boxes).pairs;
   });
   ladder.method(exact("incremental", "the sweep, with the order kept"), [](const Asked& input) {
-    IncrementalSweep<double> sweep = input->kept;
+    IncrementalSweep<double> sweep = input->kept.sweep;
     return sweep.update(input->boxes).pairs;
   });
   ladder.method(rounded("centres", "the centre’s cell and its neighbours", "double"),
@@ -315,33 +331,46 @@ ladder::Ladder<Asked, Answer> experiment() {
   ladder::Ladder<Asked, Answer> ladder("What does an order kept from the last step save?",
                                        all_pairs, judge);
   ladder.at_most(2);
-  const auto family = [&ladder](const char* id, const char* title, auto make, double step) {
+  const auto family = [&ladder](const char* id, const char* title, auto make, Vector step) {
     ladder.family(id, title, [make, step](generators::Random& random) {
       Boxes before = make(random);
       Boxes boxes = moved(random, before, step * edge);
       return made(std::move(boxes), before);
     });
   };
-  family("step-0", "corridor, at rest", corridor, 0);
-  family("step-1-1000", "steps of 0.001 of an edge", corridor, 0.001);
-  family("step-1-100", "0.01 of an edge", corridor, 0.01);
-  family("step-1-10", "0.1 of an edge", corridor, 0.1);
-  family("step-1", "an edge", corridor, 1);
-  family("step-100", "100 edges", corridor, 100);
-  family("step-cube", "in a cube, 0.01 of an edge", cube, 0.01);
+  family("step-0", "in a cube, at rest", cube, Vector::Constant(0));
+  family("step-1-1000", "steps of 0.001 of an edge", cube, Vector::Constant(0.001));
+  family("step-1-100", "0.01 of an edge", cube, Vector::Constant(0.01));
+  family("step-1-10", "0.1 of an edge", cube, Vector::Constant(0.1));
+  family("step-1", "an edge", cube, Vector::Constant(1));
+  family("corridor-1-100", "in a corridor, 0.01 of an edge", corridor, Vector::Constant(0.01));
+  family("corridor-100", "100 edges along the corridor", corridor, {100, 0.1, 0.1});
   ladder.method(exact("step-sweep", "sorted anew"), [](const Asked& input) {
-    return contact::sweep_pairs<double>(input->boxes, input->axis).pairs;
+    return contact::sweep_pairs<double>(input->boxes, input->kept.sweep.axis()).pairs;
   });
   ladder.method(exact("step-incremental", "the order kept"), [](const Asked& input) {
-    IncrementalSweep<double> sweep = input->kept;
+    IncrementalSweep<double> sweep = input->kept.sweep;
+    return sweep.update(input->boxes).pairs;
+  });
+  ladder.method(exact("step-prune", "orders on three axes and pairs kept"), [](const Asked& input) {
+    contact::SweepAndPrune<double> sweep = input->kept.three_axes;
     return sweep.update(input->boxes).pairs;
   });
   ladder.method(exact("step-grid", "grid, made anew"),
                 [](const Asked& input) { return contact::grid_pairs<double>(input->boxes).pairs; });
   ladder.method(exact("step-tree", "tree, made anew"),
                 [](const Asked& input) { return contact::tree_pairs<double>(input->boxes).pairs; });
+  ladder.method(exact("step-refit", "tree, refitted"), [](const Asked& input) {
+    contact::BoxTree<double> tree = input->kept.tree;
+    tree.refit(input->boxes);
+    return tree.pairs().pairs;
+  });
+  ladder.method(exact("step-fat", "pairs of fat boxes kept"), [](const Asked& input) {
+    contact::FatBoxPairs<double> fat = input->kept.fat;
+    return fat.update(input->boxes).pairs;
+  });
   ladder.show(shown);
-  ladder.recommend("step-incremental");
+  ladder.recommend("step-fat");
   return ladder;
 }
 

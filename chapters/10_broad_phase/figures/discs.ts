@@ -229,7 +229,7 @@ export default defineFigure<Input, Output>({
       row(TREE, output.tree, `comparisons in leaves, and ${counted(output.nodes)} of nodes`),
       {
         name: "yours",
-        meaning: `compared with so many discs, and ${counted(output.touching_yours)} of them touch it`,
+        meaning: `is compared with so many discs; touching: ${counted(output.touching_yours)}`,
         value: counted(output.compared_with_yours),
         role: "ray",
       },
