@@ -3,7 +3,9 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <contact/broad_phase_cost.hpp>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "families.hpp"
@@ -48,6 +50,52 @@ TEMPLATE_TEST_CASE("every broad phase finds the same pairs, and they are the rig
     }
   }
   CHECK(found > static_cast<std::size_t>(generators::tried(1000)));
+}
+
+TEST_CASE("a list with errors: every method has the pairs of all pairs") {
+  Random random(14);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int round = 0; round < generators::tried(80); ++round) {
+    auto boxes = families::make<double>(random, Boxes::scattered, 30);
+    for (int error = 0; error < 4; ++error) {
+      const int which = random.integer(0, 29);
+      const int axis = random.integer(0, 2);
+      Aabb<double>& box = boxes[static_cast<std::size_t>(which)];
+      if (error == 0) box.low(axis) = nan;
+      if (error == 1) box.high(axis) = infinity;
+      if (error == 2) std::swap(box.low(axis), box.high(axis));
+      if (error == 3) box.low(axis) = -infinity;
+    }
+    const std::span<const Aabb<double>> view(boxes);
+    const auto all = contact::all_pairs(view).pairs;
+    CHECK(contact::grid_pairs(view).pairs == all);
+    CHECK(contact::sweep_pairs(view).pairs == all);
+    CHECK(contact::tree_pairs(view).pairs == all);
+    contact::IncrementalSweep<double> sweep(round % 3);
+    CHECK(sweep.update(view).pairs == all);
+    CHECK(sweep.update(view).pairs == all);
+  }
+}
+
+TEST_CASE("entries are sorted by their cells, and keep their order within one") {
+  Random random(15);
+  for (const int bits : {0, 1, 5, 12, 13, 33, 63}) {
+    for (const int n : {0, 1, 7, 300, 5000}) {
+      std::vector<contact::detail::CellEntry> entries;
+      for (int i = 0; i < n; ++i) {
+        const std::uint64_t cell = random.bits() & ((std::uint64_t{1} << bits) - 1);
+        entries.push_back({cell, static_cast<std::uint32_t>(i)});
+      }
+      auto right = entries;
+      std::stable_sort(right.begin(), right.end(),
+                       [](const auto& x, const auto& y) { return x.cell < y.cell; });
+      contact::detail::sort_by_cell(entries, bits);
+      CHECK(std::equal(
+          entries.begin(), entries.end(), right.begin(), right.end(),
+          [](const auto& x, const auto& y) { return x.cell == y.cell && x.box == y.box; }));
+    }
+  }
 }
 
 TEST_CASE("large lists: the methods agree with all pairs, and pairs are in order") {

@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE("regions: each pair that touches is found, by one region", ""
 TEST_CASE("a body on a border is in both regions, and its pair is reported once") {
   const Regions<double> regions({std::vector<double>{0}, {}, {}});
   const Vector3<double> one(1, 1, 1);
-  // The first ends on the border, the second begins there, and the third is across it.
+  // The first ends on the border, the second begins there, and the third reaches into both.
   const std::vector<Aabb<double>> boxes{
       {-one, Vector3<double>(0, 1, 1)}, {Vector3<double>::Zero(), one}, {-one / 2, one / 2}};
   const auto bodies = contact::bodies_in_regions<double>(boxes, regions);
