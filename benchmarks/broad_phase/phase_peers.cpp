@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <contact/broad_phase_cost.hpp>
+#include <contact/sweep_and_prune.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -133,6 +134,13 @@ std::vector<Way> moving_ways(const std::array<const Boxes*, 2>& boxes,
                   [sweep, boxes, turns, step = std::size_t{0}](Pairs& pairs) mutable {
                     const Boxes& now = *boxes[turns(step)];
                     return timed([&] { pairs = sweep->update(now).pairs; });
+                  }});
+  const auto pruned = std::make_shared<contact::SweepAndPrune<double>>();
+  pruned->update(*boxes[0]);
+  ways.push_back({"Contact Hours, sweep and prune",
+                  [pruned, boxes, turns, step = std::size_t{0}](Pairs& pairs) mutable {
+                    const Boxes& now = *boxes[turns(step)];
+                    return timed([&] { pairs = pruned->update(now).pairs; });
                   }});
   const int axis = sweep->axis();
   ways.push_back({"Contact Hours, fresh sweep, same axis",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <contact/moving_boxes.hpp>
+#include <contact/sweep_and_prune.hpp>
 #include <contact/sweep_pairs.hpp>
 #include <contact/tree_pairs.hpp>
 #include <cstdint>
@@ -70,7 +71,31 @@ inline Pairs fat_forever(const Boxes& before, const Boxes& after) {
   return kept(fat, after);
 }
 
-/// The pairs that touch after a step, or that may touch in it ("throughout").
+/// Pairs that are kept, and change only where a start and an end exchange their order on an axis.
+/// Of equal ones, the end stands first, and they are not exchanged.
+inline Pairs changed_by_exchanges(const Boxes& before, const Boxes& after) {
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < before.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < before.size(); ++j) {
+      bool added = false, removed = false;
+      const auto compare = [&](double end, double start, double new_end, double new_start) {
+        const bool apart = end <= start;
+        const bool now_apart = new_end == new_start ? apart : new_end < new_start;
+        added = added || (apart && !now_apart);
+        removed = removed || (!apart && now_apart);
+      };
+      for (int k = 0; k < 3; ++k) {
+        compare(before[i].high(k), before[j].low(k), after[i].high(k), after[j].low(k));
+        compare(before[j].high(k), before[i].low(k), after[j].high(k), after[i].low(k));
+      }
+      const bool touched = contact::boxes_touch(before[i], before[j]) && !removed;
+      if (touched || (added && contact::boxes_touch(after[i], after[j]))) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
+/// The pairs that touch after a step.
 inline void ask_steps(hard_cases::Runner& runner) {
   runner.question("after a step", [](const Case& c) {
     return Json{{"class", "a"},
@@ -96,6 +121,12 @@ inline void ask_steps(hard_cases::Runner& runner) {
   method("0.1 m wider boxes, kept", fat_forever);
   method("book: incremental sweep", [](const Boxes& before, const Boxes& after) {
     contact::IncrementalSweep<double> sweep(0);
+    sweep.update(before);
+    return sweep.update(after).pairs;
+  });
+  method("pairs changed by exchanges, without equal ends", changed_by_exchanges);
+  method("book: sweep and prune", [](const Boxes& before, const Boxes& after) {
+    contact::SweepAndPrune<double> sweep;
     sweep.update(before);
     return sweep.update(after).pairs;
   });
