@@ -71,7 +71,7 @@ Vector3<S> drawn_period(Random& random) {
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -106,7 +106,7 @@ TEST_CASE("a cell of a period at zero, below it, and many periods away") {
   CHECK(contact::periodic_cell<double>(-8, 8, 4) == 0);
   CHECK(contact::periodic_cell<double>(0x1p53 + 2, 8, 4) == 1);
   CHECK(contact::periodic_cell<double>(3 * smallest, 4 * smallest, 4) == 3);
-  CHECK(contact::periodic_cell<double>(infinity, 8, 4) == 0);
+  CHECK(contact::periodic_cell<double>(infinite, 8, 4) == 0);
   // Modulo 20, powers of two from 2^2 on repeat after four: 2^1023 is 8, as 2^3 is.
   CHECK(contact::periodic_cell<double>(0x1p1023, 20, 20) == 8);
 }
@@ -219,7 +219,7 @@ TEST_CASE("boxes at the ends of the numbers touch periodically, exactly") {
   CHECK(touch(flat(0, 0.1), flat(0x1p1000, 0x1p1000), 0.3) ==
         touch(flat(0x1p1000, 0x1p1000), flat(0, 0.1), 0.3));
   CHECK_FALSE(
-      contact::boxes_touch_periodic(flat(0, infinity), flat(0, 1), Vector3<double>(8, 8, 8)));
+      contact::boxes_touch_periodic(flat(0, infinite), flat(0, 1), Vector3<double>(8, 8, 8)));
   CHECK_FALSE(contact::boxes_touch_periodic(flat(0, 1), flat(0, 1), Vector3<double>(0, 8, 8)));
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("a periodic grid refuses a period, boxes and cells that are none") {
   const Vector3<double> period(1, 2, 3);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Aabb<double>> none;
-  for (const double wrong : {0.0, -1.0, nan, infinity}) {
+  for (const double wrong : {0.0, -1.0, nan, infinite}) {
     const Vector3<double> p(1, wrong, 1);
     CHECK_THROWS_AS(contact::periodic_all_pairs<double>(none, p), std::invalid_argument);
     CHECK_THROWS_AS(contact::periodic_grid_for<double>(none, p), std::invalid_argument);
