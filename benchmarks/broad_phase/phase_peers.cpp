@@ -203,16 +203,25 @@ std::vector<double> compare(const std::string& title, std::vector<Way>& ways, co
   return medians;
 }
 
+void compare_step(Family family, std::size_t n, double most, int runs) {
+  const Boxes boxes = box_scenes::make(family, n, 1);
+  const Boxes after = box_scenes::moved(boxes, most, 2);
+  const std::array<peers::Boxes, 2> plain{box_scenes::plain(boxes), box_scenes::plain(after)};
+  std::vector<Way> moving = moving_ways({&boxes, &after}, plain);
+  const std::string title = std::string(box_scenes::name(family)) + ", " + std::to_string(n) +
+                            " boxes, moved by up to 1/" + std::to_string(std::lround(1 / most)) +
+                            " m";
+  compare(title, moving, contact::all_pairs(View(after)).pairs, runs);
+}
+
 void compare_family(Family family, std::size_t n, int runs) {
   const Boxes boxes = box_scenes::make(family, n, 1);
-  const Boxes after = box_scenes::moved(boxes, 1.0 / 16, 2);
-  const std::array<peers::Boxes, 2> plain{box_scenes::plain(boxes), box_scenes::plain(after)};
-  const std::string title = std::string(box_scenes::name(family)) + ", " + std::to_string(n);
-  std::vector<Way> fresh = fresh_ways(boxes, plain[0]);
-  compare(title + " boxes, new", fresh, contact::all_pairs(View(boxes)).pairs, runs);
-  std::vector<Way> moving = moving_ways({&boxes, &after}, plain);
-  compare(title + " boxes, moved by up to 1/16 m", moving, contact::all_pairs(View(after)).pairs,
-          runs);
+  const peers::Boxes plain = box_scenes::plain(boxes);
+  std::vector<Way> fresh = fresh_ways(boxes, plain);
+  compare(std::string(box_scenes::name(family)) + ", " + std::to_string(n) + " boxes, new", fresh,
+          contact::all_pairs(View(boxes)).pairs, runs);
+  compare_step(family, n, 1.0 / 16, runs);
+  if (family == Family::uniform) compare_step(family, n, 1.0 / 256, runs);
 }
 
 /// The exponent of time over number, by least squares of the logarithms.

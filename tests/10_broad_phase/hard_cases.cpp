@@ -132,7 +132,7 @@ void add_pairs(hard_cases::Runner& runner) {
                                                          {"book: sweep", Method::sweep},
                                                          {"book: tree", Method::tree}};
   for (const auto& [name, which] : book) {
-    method(name, [which](const Boxes& boxes) {
+    method(name, [which = which](const Boxes& boxes) {
       return contact::touching_pairs<double>(boxes, which).pairs;
     });
   }
