@@ -111,27 +111,35 @@ const Boxes& boxes_of(const Setting& setting, int power) {
   return entry->second;
 }
 
+/// What is computed for a setting, once.
+struct Answer {
+  std::array<double, methods * sizes> steps{};
+  std::array<double, sizes> touching{}, predicted{};
+};
+
 // [counted]
 /// Comparisons of boxes, and the other steps that a method counts: entries in cells, comparisons of
 /// the tree's nodes. Sorting is not among them.
-std::array<double, methods> steps_of(const Boxes& boxes) {
+void count(const Boxes& boxes, std::size_t k, Answer& answer) {
   const auto all = [](const contact::PairSearch& search) {
     return double(search.box_tests + search.other_steps);
   };
   const int axis = contact::best_sweep_axis<double>(boxes);
-  return {double(contact::pair_count(boxes.size())),
-          double(contact::overlaps_on_axis<double>(boxes, axis)),
-          all(contact::grid_pairs<double>(boxes)), all(contact::tree_pairs<double>(boxes))};
+  const contact::PairSearch by_tree = contact::tree_pairs<double>(boxes);
+  const std::array<double, methods> steps{double(contact::pair_count(boxes.size())),
+                                          double(contact::overlaps_on_axis<double>(boxes, axis)),
+                                          all(contact::grid_pairs<double>(boxes)), all(by_tree)};
+  for (std::size_t m = 0; m < methods; ++m) answer.steps[methods * k + m] = steps[m];
+  answer.touching[k] = double(by_tree.pairs.size());
+  answer.predicted[k] = double(contact::broad_phase_cost<double>(boxes).cheapest());
 }
 // [/counted]
 
-const std::array<double, methods * sizes>& all_steps(const Setting& setting) {
-  static std::map<Setting, std::array<double, methods * sizes>> kept;
+const Answer& answer_of(const Setting& setting) {
+  static std::map<Setting, Answer> kept;
   const auto [entry, is_new] = kept.try_emplace(setting);
-  for (std::size_t k = 0; k < sizes && is_new; ++k) {
-    const auto steps = steps_of(boxes_of(setting, first_power + int(k)));
-    std::copy(steps.begin(), steps.end(), entry->second.begin() + std::ptrdiff_t(methods * k));
-  }
+  for (std::size_t k = 0; k < sizes && is_new; ++k)
+    count(boxes_of(setting, first_power + int(k)), k, entry->second);
   return entry->second;
 }
 
@@ -175,9 +183,12 @@ Output compute(const Input& in) {
   }
   const int power =
       static_cast<int>(std::clamp(std::round(in.at), double(first_power), double(last_power)));
-  const Boxes& boxes = boxes_of(setting, power);
-  out.n = double(boxes.size());
-  out.steps = all_steps(setting);
+  const auto shown = static_cast<std::size_t>(power - first_power);
+  const Answer& answer = answer_of(setting);
+  out.n = double(1 << power);
+  out.steps = answer.steps;
+  out.touching = answer.touching[shown];
+  out.predicted = answer.predicted[shown];
   if (in.measured_for == out.setting) out.times = in.time_ms;
   for (double& time : out.times) {
     if (!(time > 0 && time < 1e9)) time = 0;
@@ -185,7 +196,7 @@ Output compute(const Input& in) {
   }
   out.quickest = 0;
   for (std::size_t m = 0; m < methods; ++m) {
-    const std::size_t index = methods * std::size_t(power - first_power) + m;
+    const std::size_t index = methods * shown + m;
     out.steps_at[m] = out.steps[index];
     out.time_at[m] = out.times[index];
     out.steps_power[m] = power_of(out.steps, m);
@@ -196,8 +207,6 @@ Output compute(const Input& in) {
     if (m > 0 && out.time_power[m] > 0 && out.time_power[m] < 1.1 && out.time_power[0] > 1.8)
       out.linear_and_square = 1;
   }
-  out.touching = double(contact::tree_pairs<double>(boxes).pairs.size());
-  out.predicted = double(contact::broad_phase_cost<double>(boxes).cheapest());
   return out;
 }
 
