@@ -10,31 +10,30 @@ namespace {
 
 using namespace contact::testing;
 using contact::Exact;
-using exercise::Entry;
-using exercise::Interval;
 using exercise::Pair;
 using given::Cells;
 
 // ---------------------------------------------------------------- exact numbers
 
 /// Whether the box has a point in the cell.
-bool has_a_point_in(const Interval& box, double cell, double edge) {
+bool has_a_point_in(double low, double high, double cell, double edge) {
   const Exact begin = Exact(cell) * Exact(edge), end = begin + Exact(edge);
-  return (Exact(box.high) - begin).sign() >= 0 && (end - Exact(box.low)).sign() > 0;
+  return (Exact(high) - begin).sign() >= 0 && (end - Exact(low)).sign() > 0;
 }
 
 // ---------------------------------------------------------------- what the contract allows
 
-bool is_interval(const Interval& box, double limit) {
-  return box.low <= box.high && box.low >= -limit && box.high <= limit;
+bool are_intervals(const Pair& pair, double limit) {
+  return pair.low_a <= pair.high_a && pair.low_a >= -limit && pair.high_a <= limit &&
+         pair.low_b <= pair.high_b && pair.low_b >= -limit && pair.high_b <= limit;
 }
 bool is_edge(double edge) { return edge >= 0.01 && edge <= 10; }
-bool touch(const Pair& pair) { return pair.a.low <= pair.b.high && pair.b.low <= pair.a.high; }
+bool touch(const Pair& pair) { return pair.low_a <= pair.high_b && pair.low_b <= pair.high_a; }
 
 // ---------------------------------------------------------------- what the given code computes
 
-Cells truncated(const Entry& entry) {
-  return given::cells_by_truncation(entry.box.low, entry.box.high, entry.edge);
+Cells truncated(const Pair& pair) {
+  return given::cells_by_truncation(pair.low_a, pair.high_a, pair.edge);
 }
 
 bool is_power_of_two(double edge) {
@@ -45,15 +44,15 @@ bool is_power_of_two(double edge) {
 bool same(const Cells& x, const Cells& y) { return x.first == y.first && x.last == y.last; }
 
 bool formulas_agree(const Pair& pair) {
-  const auto agree = [&](const Interval& box) {
-    return same(given::cells_to_store(box.low, box.high, pair.edge),
-                given::cells_to_search(box.low, box.high, pair.edge));
+  const auto agree = [&](double low, double high) {
+    return same(given::cells_to_store(low, high, pair.edge),
+                given::cells_to_search(low, high, pair.edge));
   };
-  return agree(pair.a) && agree(pair.b);
+  return agree(pair.low_a, pair.high_a) && agree(pair.low_b, pair.high_b);
 }
 
 bool begin_alike(const Pair& pair) {
-  return std::floor(pair.a.low / pair.edge) == std::floor(pair.b.low / pair.edge);
+  return std::floor(pair.low_a / pair.edge) == std::floor(pair.low_b / pair.edge);
 }
 
 std::string text(const Cells& cells) {
@@ -65,23 +64,21 @@ std::string text(const std::vector<double>& keys) { return contact::text_of(keys
 }  // namespace
 
 TEST_CASE("a box is put in a cell in which it has no point") {
-  break_it<Entry>("Which box is put in a cell in which it has no point?")
-      .rule("every number is finite", [](const Entry& entry) { return all_finite(entry); })
-      .rule("the edge is from 0.01 to 10", [](const Entry& entry) { return is_edge(entry.edge); })
-      .rule("low is not above high, and both are from -100 to 100",
-            [](const Entry& entry) { return is_interval(entry.box, 100); })
-      .suspect_if("break-box-is-not-negative",
-                  [](const Entry& entry) { return entry.box.low >= 0; })
+  break_it<Pair>("Which box is put in a cell in which it has no point?")
+      .rule("every number is finite", [](const Pair& pair) { return all_finite(pair); })
+      .rule("the edge is from 0.01 to 10", [](const Pair& pair) { return is_edge(pair.edge); })
+      .rule("no low is above its high, and all are from -100 to 100",
+            [](const Pair& pair) { return are_intervals(pair, 100); })
+      .suspect_if("break-box-is-not-negative", [](const Pair& pair) { return pair.low_a >= 0; })
       .suspect_if("break-box-has-zero",
-                  [](const Entry& entry) { return entry.box.low < 0 && entry.box.high >= 0; })
-      .suspect_if("break-cells-agree-below-zero",
-                  [](const Entry& entry) { return entry.box.high < 0; })
-      .input("entry", [] { return exercise::in_a_cell_without_a_point(); })
-      .judge([](const Entry& entry) {
-        const Cells cells = truncated(entry);
+                  [](const Pair& pair) { return pair.low_a < 0 && pair.high_a >= 0; })
+      .suspect_if("break-cells-agree-below-zero", [](const Pair& pair) { return pair.high_a < 0; })
+      .input("pair", [] { return exercise::in_a_cell_without_a_point(); })
+      .judge([](const Pair& pair) {
+        const Cells cells = truncated(pair);
         // Truncation is monotonic, so cells between those of the ends have points if these have.
-        const bool wrong = !has_a_point_in(entry.box, cells.first, entry.edge) ||
-                           !has_a_point_in(entry.box, cells.last, entry.edge);
+        const bool wrong = !has_a_point_in(pair.low_a, pair.high_a, cells.first, pair.edge) ||
+                           !has_a_point_in(pair.low_a, pair.high_a, cells.last, pair.edge);
         return Judged{wrong, text(cells), "only cells in which the box has a point",
                       wrong ? "In one of these cells the box has no point."
                             : "The box has a point in each of these cells."};
@@ -93,7 +90,7 @@ TEST_CASE("boxes that touch are lost by the reciprocal") {
       .rule("every number is finite", [](const Pair& pair) { return all_finite(pair); })
       .rule("the edge is from 0.01 to 10", [](const Pair& pair) { return is_edge(pair.edge); })
       .rule("no low is above its high, and all are from -100 to 100",
-            [](const Pair& pair) { return is_interval(pair.a, 100) && is_interval(pair.b, 100); })
+            [](const Pair& pair) { return are_intervals(pair, 100); })
       .rule("the boxes have a common point", touch)
       .suspect_if("break-reciprocal-is-exact",
                   [](const Pair& pair) { return is_power_of_two(pair.edge); })
@@ -104,9 +101,9 @@ TEST_CASE("boxes that touch are lost by the reciprocal") {
         const bool found = given::is_found(pair);
         return Judged{!found, found ? "found" : "not found", "found",
                       "Box a looks in " +
-                          text(given::cells_to_search(pair.a.low, pair.a.high, pair.edge)) +
+                          text(given::cells_to_search(pair.low_a, pair.high_a, pair.edge)) +
                           ", and box b is stored in " +
-                          text(given::cells_to_store(pair.b.low, pair.b.high, pair.edge)) + "."};
+                          text(given::cells_to_store(pair.low_b, pair.high_b, pair.edge)) + "."};
       });
 }
 
@@ -115,7 +112,7 @@ TEST_CASE("boxes that touch are lost by keys that are added up") {
       .rule("every number is finite", [](const Pair& pair) { return all_finite(pair); })
       .rule("the edge is from 0.01 to 10", [](const Pair& pair) { return is_edge(pair.edge); })
       .rule("no low is above its high, and all are from -10 to 10",
-            [](const Pair& pair) { return is_interval(pair.a, 10) && is_interval(pair.b, 10); })
+            [](const Pair& pair) { return are_intervals(pair, 10); })
       .rule("the boxes have a common point", touch)
       .suspect_if("break-keys-begin-alike", begin_alike)
       .suspect_if("break-keys-are-exact",
@@ -124,7 +121,7 @@ TEST_CASE("boxes that touch are lost by keys that are added up") {
       .input("pair", [] { return exercise::lost_by_added_keys(); })
       .judge([](const Pair& pair) {
         const bool share = given::share_a_key(pair);
-        const std::vector<double> of_b = given::keys(pair.b.low, pair.b.high, pair.edge);
+        const std::vector<double> of_b = given::keys(pair.low_b, pair.high_b, pair.edge);
         return Judged{!share, share ? "a common key" : "no common key", "a common key",
                       "The keys of b are " + text(of_b) + "."};
       });

@@ -133,7 +133,7 @@ Nodes random_tree(generators::Random& random, int leaves) {
   while (next < count) {
     const auto chosen = open.begin() + random.integer(0, static_cast<int>(open.size()) - 1);
     const int parent = *chosen, left = number[static_cast<std::size_t>(next)],
-              right = number[static_cast<std::size_t>(next + 1)];
+              right = number[static_cast<std::size_t>(next) + 1];
     open.erase(chosen);
     nodes[static_cast<std::size_t>(parent)] = {left, right, -1};
     open.push_back(left);

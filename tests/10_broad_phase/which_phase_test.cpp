@@ -136,14 +136,14 @@ TEST_CASE("the cheapest method is chosen, and the first of several") {
 TEST_CASE("random worlds agree with counting") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 40; ++asked) {
-    const int edge = random.integer(1, 8);
+    const std::int64_t edge = random.integer(1, 8);
     const int columns = random.integer(1, 8), rows = random.integer(1, 8);
     const World world{edge * columns, edge * rows};
     Kinds kinds;
     const int count = random.integer(1, 3);
     for (int i = 0; i < count; ++i) {
       const int squares = random.integer(0, asked % 2 == 0 ? 30 : 3000);
-      const int size = random.integer(0, 2 * edge + 3);
+      const std::int64_t size = random.integer(0, 19);
       kinds.push_back({squares, size});
     }
     check_pairs(kinds);

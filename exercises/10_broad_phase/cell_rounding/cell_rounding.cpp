@@ -5,7 +5,7 @@
 
 namespace exercise {
 
-Entry in_a_cell_without_a_point() { contact::todo(); }
+Pair in_a_cell_without_a_point() { contact::todo(); }
 
 Pair lost_by_the_reciprocal() { contact::todo(); }
 

@@ -10,28 +10,18 @@
 
 namespace exercise {
 
-/// The points from low to high.
-struct Interval {
-  double low;
-  double high;  ///< not less than low
-};
-
-/// A box and a grid.
-struct Entry {
-  double edge;
-  Interval box;
-};
-
-/// Two boxes and a grid.
+/// A grid and two boxes: the points from low_a to high_a, and those from low_b to high_b.
 struct Pair {
-  double edge;
-  Interval a;
-  Interval b;
+  double edge;  ///< of the cells
+  double low_a;
+  double high_a;  ///< not less than low_a
+  double low_b;
+  double high_b;  ///< not less than low_b
 };
 
-/// A box that given::cells_by_truncation puts in a cell in which it has no point. The edge is from
-/// 0.01 to 10, and the coordinates are from -100 to 100.
-Entry in_a_cell_without_a_point();
+/// Boxes of which given::cells_by_truncation puts the first in a cell in which it has no point; the
+/// second is not asked. The edge is from 0.01 to 10, and the coordinates are from -100 to 100.
+Pair in_a_cell_without_a_point();
 
 /// Boxes with a common point of which given::is_found says that a does not find b. The edge is from
 /// 0.01 to 10, and the coordinates are from -100 to 100.

@@ -37,8 +37,8 @@ inline Cells cells_to_search(double low, double high, double edge) {
 /// Whether box b is found when box a looks for others.
 template <class Pair>
 bool is_found(const Pair& pair) {
-  const Cells of_a = cells_to_search(pair.a.low, pair.a.high, pair.edge);
-  const Cells of_b = cells_to_store(pair.b.low, pair.b.high, pair.edge);
+  const Cells of_a = cells_to_search(pair.low_a, pair.high_a, pair.edge);
+  const Cells of_b = cells_to_store(pair.low_b, pair.high_b, pair.edge);
   return of_a.first <= of_b.last && of_b.first <= of_a.last;
 }
 
@@ -52,8 +52,8 @@ inline std::vector<double> keys(double low, double high, double edge) {
 /// Whether the boxes have a key in common.
 template <class Pair>
 bool share_a_key(const Pair& pair) {
-  for (const double of_a : keys(pair.a.low, pair.a.high, pair.edge))
-    for (const double of_b : keys(pair.b.low, pair.b.high, pair.edge))
+  for (const double of_a : keys(pair.low_a, pair.high_a, pair.edge))
+    for (const double of_b : keys(pair.low_b, pair.high_b, pair.edge))
       if (of_a == of_b) return true;
   return false;
 }
