@@ -133,7 +133,7 @@ TEST_CASE("a tree finds the boxes that touch a given one") {
 TEST_CASE("an incremental sweep finds the pairs of a fresh one, and counts exchanges") {
   Random random(5);
   for (const Boxes family : families::all) {
-    auto boxes = families::make<double>(random, family, 60);
+    auto boxes = families::make<double>(random, family, 40);
     contact::IncrementalSweep<double> sweep(1);
     CHECK(sweep.axis() == 1);
     sweep.update(boxes);
@@ -147,7 +147,7 @@ TEST_CASE("an incremental sweep finds the pairs of a fresh one, and counts excha
       });
       return places;
     };
-    for (int step = 0; step < 20; ++step) {
+    for (int step = 0; step < generators::tried(16); ++step) {
       const auto before = order();
       for (auto& box : boxes) {
         const double shift = random.uniform(-0.2, 0.2);

@@ -202,7 +202,9 @@ PeriodicGrid<S> periodic_grid_for(std::span<const Aabb<S>> boxes, const Vector3<
   detail::require_boxes(boxes);
   PeriodicGrid<S> grid{period, {1, 1, 1}};
   if (boxes.empty()) return grid;
-  const double most = std::max(1.0, std::floor(std::cbrt(static_cast<double>(boxes.size()))));
+  // The cube root, which differs from library to library, rounded down.
+  std::uint64_t most = 1;
+  while ((most + 1) * (most + 1) * (most + 1) <= boxes.size()) ++most;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     std::vector<double> halves;  // halves cannot overflow
@@ -216,7 +218,7 @@ PeriodicGrid<S> periodic_grid_for(std::span<const Aabb<S>> boxes, const Vector3<
                      halves.end());
     double fit = std::floor(static_cast<double>(period[axis]) / 2 / halves[at]);
     if (fit * halves[at] >= static_cast<double>(period[axis]) / 2) fit -= 1;
-    const double cells = std::min(most, double{max_periodic_cells});
+    const double cells = static_cast<double>(std::min<std::uint64_t>(most, max_periodic_cells));
     grid.cells[k] = fit >= cells ? static_cast<std::uint32_t>(cells)
                                  : static_cast<std::uint32_t>(std::max(1.0, fit));
   }

@@ -20,7 +20,7 @@
 namespace contact {
 
 /// The most regions of a subdivision.
-inline constexpr std::uint64_t max_regions = std::uint64_t{1} << 24;
+inline constexpr std::uint64_t max_regions = std::uint64_t{1} << 21;
 
 /// The regions that a box meets: on each axis all intervals from low to high.
 struct RegionRange {
@@ -96,11 +96,11 @@ Regions<S>::Regions(std::array<std::vector<S>, 3> borders) : borders_(std::move(
                                "must be greater than the border before it");
       }
     }
-    // The product of two factors of at most 2^24 and 2^32 cannot overflow.
+    // The product of two factors of at most 2^21 and 2^32 cannot overflow.
     if (axis.size() < max_regions) product *= axis.size() + 1;
     if (axis.size() >= max_regions || product > max_regions) {
       throw_invalid_argument("borders", std::to_string(axis.size()) + " borders on an axis",
-                             "there may be at most 2^24 regions");
+                             "there may be at most 2^21 regions");
     }
   }
 }
@@ -120,7 +120,7 @@ Regions<S> equal_regions(std::span<const Aabb<S>> boxes,
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     if (intervals[k] == 0 || intervals[k] > max_regions) {
-      throw_invalid_argument("intervals", std::to_string(intervals[k]), "must be from 1 to 2^24");
+      throw_invalid_argument("intervals", std::to_string(intervals[k]), "must be from 1 to 2^21");
     }
     for (std::uint32_t i = 1; i < intervals[k]; ++i) {
       // A convex combination cannot overflow.
