@@ -91,3 +91,18 @@ TEST_CASE("the model chooses the grid for many equal boxes far apart") {
     CHECK(contact::broad_phase_cost<double>(boxes).cheapest() == BroadPhase::grid);
   }
 }
+
+TEST_CASE("the model leaves the grid where one box far away makes its cells too wide") {
+  Random random(23);
+  constexpr int n = 2000;
+  std::vector<Aabb<double>> boxes;
+  for (int i = 0; i < n; ++i) {
+    const auto low = families::place<double>(random, std::cbrt(double(n)));
+    boxes.push_back({low, Vector3<double>(low + Vector3<double>::Ones())});
+  }
+  CHECK(contact::broad_phase_cost<double>(boxes).cheapest() == BroadPhase::grid);
+  boxes[77] = {Vector3<double>::Constant(1e6), Vector3<double>::Constant(1e6 + 1)};
+  const auto cost = contact::broad_phase_cost<double>(boxes);
+  CHECK(cost.grid > cost.tree);
+  CHECK(cost.cheapest() == BroadPhase::tree);
+}
