@@ -32,6 +32,7 @@ inline constexpr std::uint32_t last_grid_cell = (1u << 21) - 1;
 /// A box that covers more cells than this is not entered in cells, but compared with every box.
 inline constexpr std::uint64_t max_cells_of_a_box = 64;
 
+// [grid-cell]
 /// The index of the cell along an axis that contains the coordinate x.
 ///
 /// Difference and quotient are rounded, but each is monotonic, and so is the floor, which for
@@ -45,6 +46,7 @@ std::uint32_t grid_cell(S x, S origin, S cell_edge) {
   if (!(cell < S(last_grid_cell))) return last_grid_cell;
   return static_cast<std::uint32_t>(cell);
 }
+// [/grid-cell]
 // [/pair-grid]
 
 namespace detail {
@@ -220,6 +222,7 @@ PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   }
   const auto entries = detail::entries_in_cells(ranges, large, block);
   search.other_steps = entries.size();
+  // [cell-by-cell]
   for (std::size_t first = 0; first < entries.size(); ++first) {
     const auto [cell, i] = entries[first];
     for (std::size_t next = first + 1; next < entries.size() && entries[next].cell == cell;
@@ -231,6 +234,7 @@ PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
         search.pairs.push_back({std::min(i, j), std::max(i, j)});
     }
   }
+  // [/cell-by-cell]
   detail::test_with_all<S>(boxes, large, search);
   detail::sort_pairs(search.pairs);
   return search;

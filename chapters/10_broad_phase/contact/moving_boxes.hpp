@@ -132,6 +132,7 @@ PairSearch FatBoxPairs<S>::update(std::span<const Aabb<S>> boxes) {
     pairs_.clear();
     tree_.reset();
   }
+  // [leave-fat-box]
   std::vector<std::uint32_t> left, irregular;
   for (std::uint32_t i = 0; i < n; ++i) {
     ++search.other_steps;
@@ -148,6 +149,7 @@ PairSearch FatBoxPairs<S>::update(std::span<const Aabb<S>> boxes) {
     if (irregular.empty() || (detail::is_box(boxes[pair.a]) && detail::is_box(boxes[pair.b])))
       detail::test_pair(boxes, pair.a, pair.b, search);
   }
+  // [/leave-fat-box]
   if (!irregular.empty()) {
     detail::test_with_all<S>(boxes, irregular, search);
     detail::sort_pairs(search.pairs);

@@ -278,6 +278,7 @@ PairSearch periodic_grid_pairs(std::span<const Aabb<S>> boxes, const PeriodicGri
     if (boxes_touch_periodic(boxes[i], boxes[j], grid.period))
       search.pairs.push_back({std::min(i, j), std::max(i, j)});
   };
+  // [neighbouring-cells]
   for (auto first = entries.begin(); first != entries.end();) {
     auto last = first;
     while (last != entries.end() && last->cell == first->cell) ++last;
@@ -292,6 +293,7 @@ PairSearch periodic_grid_pairs(std::span<const Aabb<S>> boxes, const PeriodicGri
     }
     first = last;
   }
+  // [/neighbouring-cells]
   for (const std::uint32_t i : large) {
     for (std::uint32_t j = 0; j < detail::box_count(boxes); ++j) {
       if (j > i || !std::binary_search(large.begin(), large.end(), j)) {

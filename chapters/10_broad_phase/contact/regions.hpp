@@ -54,6 +54,7 @@ class Regions {
   const std::array<std::vector<S>, 3>& borders() const { return borders_; }
   /// How many regions there are.
   std::uint32_t count() const { return intervals(0) * intervals(1) * intervals(2); }
+  // [region-of-box]
   /// The interval of an axis that contains x: the number of borders that are at most x. So it is
   /// monotonic: x ≤ y implies interval(x) ≤ interval(y). NaN is in the last one.
   std::uint32_t interval(S x, int axis) const {
@@ -71,6 +72,7 @@ class Regions {
     }
     return range;
   }
+  // [/region-of-box]
   /// The number of a region, from 0 to count() − 1: x varies slowest.
   std::uint32_t number(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
     return (x * intervals(1) + y) * intervals(2) + z;
@@ -188,6 +190,7 @@ PairSearch region_pairs(std::span<const Aabb<S>> boxes, const Regions<S>& region
   ranges.reserve(boxes.size());
   for (const Aabb<S>& box : boxes) ranges.push_back(regions.of(box));
   const auto bodies = bodies_in_regions(boxes, regions);
+  // [region-by-region]
   for (std::uint32_t region = 0; region < bodies.size(); ++region) {
     const std::vector<std::uint32_t>& here = bodies[region];
     search.other_steps += here.size();
@@ -201,6 +204,7 @@ PairSearch region_pairs(std::span<const Aabb<S>> boxes, const Regions<S>& region
       }
     }
   }
+  // [/region-by-region]
   detail::test_irregular(boxes, search);
   detail::sort_pairs(search.pairs);
   return search;

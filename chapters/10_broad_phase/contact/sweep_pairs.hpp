@@ -99,6 +99,7 @@ void sweep_sorted(std::span<const Aabb<S>> boxes, std::span<const SweepStart<S>>
     const auto& [low, high] = boxes[start.box];
     line.push_back({low(axis), high(axis), {low(y), low(z)}, {high(y), high(z)}, start.box});
   }
+  // [sweep-in-order]
   for (std::size_t first = 0; first < line.size(); ++first) {
     const SweepBox<S>& one = line[first];
     std::size_t next = first + 1;
@@ -111,6 +112,7 @@ void sweep_sorted(std::span<const Aabb<S>> boxes, std::span<const SweepStart<S>>
     }
     search.box_tests += next - first - 1;
   }
+  // [/sweep-in-order]
 }
 
 template <Ring S>
@@ -201,6 +203,7 @@ PairSearch IncrementalSweep<S>::update(std::span<const Aabb<S>> boxes) {
     for (auto& start : starts_) start.low = boxes[start.box].low(axis_);
   }
   const std::uint64_t max_moves = 4 * std::uint64_t{n} * std::bit_width(n);
+  // [insertion-sort]
   for (std::size_t k = 1; k < starts_.size() && !resorted_; ++k) {
     const detail::SweepStart<S> moving = starts_[k];
     std::size_t place = k;
@@ -211,6 +214,7 @@ PairSearch IncrementalSweep<S>::update(std::span<const Aabb<S>> boxes) {
     starts_[place] = moving;
     resorted_ = search.other_steps > max_moves;
   }
+  // [/insertion-sort]
   if (resorted_) detail::sort_starts(starts_);
   detail::sweep_sorted<S>(boxes, starts_, axis_, search);
   detail::sort_pairs(search.pairs);

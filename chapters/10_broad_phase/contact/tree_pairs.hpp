@@ -155,6 +155,7 @@ void BoxTree<S>::test(int i, int j, PairSearch& search) const {
   search.pairs.push_back({std::min(x, y), std::max(x, y)});
 }
 
+// [within-node]
 /// Pairs of two items below a node. Each pair has one node in whose leaf both are, or whose
 /// children separate them, so it is met at most once.
 template <FloatOrDouble S>
@@ -170,7 +171,9 @@ void BoxTree<S>::within(std::size_t node, PairSearch& search) const {
     for (int j = i + 1; j < self.first + self.count; ++j) test(i, j, search);
   }
 }
+// [/within-node]
 
+// [between-nodes]
 /// Pairs of an item below one node and an item below another, which has none of the first.
 template <FloatOrDouble S>
 void BoxTree<S>::between(std::size_t one, std::size_t other, PairSearch& search) const {
@@ -190,6 +193,7 @@ void BoxTree<S>::between(std::size_t one, std::size_t other, PairSearch& search)
     between(one, static_cast<std::size_t>(y.first) + 1, search);
   }
 }
+// [/between-nodes]
 // [/tree-descent]
 
 template <FloatOrDouble S>
