@@ -127,13 +127,13 @@ PairSearch SweepAndPrune<S>::start(std::span<const Aabb<S>> boxes) {
 
 template <Ring S>
 PairSearch SweepAndPrune<S>::update(std::span<const Aabb<S>> boxes) {
-  const std::uint64_t n = detail::box_count(boxes);
+  const std::size_t n = detail::box_count(boxes);
   if (ends_[0].size() != 2 * n || !std::all_of(boxes.begin(), boxes.end(), detail::is_box<S>))
     return start(boxes);
   PairSearch search;
   std::vector<BoxPair> met;
   std::vector<S> now(2 * n);
-  const std::uint64_t max_moves = 8 * n * std::uint64_t(std::bit_width(n));
+  const std::uint64_t max_moves = 8 * std::uint64_t{n} * std::uint64_t(std::bit_width(n));
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<End>& ends = ends_[static_cast<std::size_t>(axis)];
     // All ends of the axis together: lower ones, then upper ones.
