@@ -157,6 +157,9 @@ inline std::vector<CellEntry> entries_in_cells(std::span<const CellRange> ranges
 ///
 /// The median is used because one huge body among small ones does not change it. The edge is a
 /// power of two. Without boxes, or if all of them are points at one position, cells are 1 m wide.
+///
+/// Limits: the second condition counts cells of the whole range. One body far from the others, or
+/// much larger than all of them together, makes the cells so long that most others share a few.
 /// @param boxes n of them; those that are no boxes do not count
 template <std::floating_point S>
 PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
