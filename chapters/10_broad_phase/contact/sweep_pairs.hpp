@@ -37,6 +37,7 @@ std::uint64_t overlaps_on_axis(std::span<const Aabb<S>> boxes, int axis) {
     lows.push_back(box.low(axis));
     highs.push_back(box.high(axis));
   }
+  // [count-overlaps]
   std::sort(lows.begin(), lows.end());
   std::sort(highs.begin(), highs.end());
   std::uint64_t apart = 0;
@@ -47,6 +48,7 @@ std::uint64_t overlaps_on_axis(std::span<const Aabb<S>> boxes, int axis) {
   }
   const std::uint64_t n = lows.size();
   return n * (n - std::uint64_t{n > 0}) / 2 - apart;
+  // [/count-overlaps]
 }
 
 /// The axis on which the fewest pairs overlap; the first of several.

@@ -156,6 +156,7 @@ void BoxTree<S>::test(int i, int j, PairSearch& search) const {
 }
 
 // [within-node]
+// [within]
 /// Pairs of two items below a node. Each pair has one node in whose leaf both are, or whose
 /// children separate them, so it is met at most once.
 template <FloatOrDouble S>
@@ -174,6 +175,8 @@ void BoxTree<S>::within(std::size_t node, PairSearch& search) const {
 // [/within-node]
 
 // [between-nodes]
+// [/within]
+
 /// Pairs of an item below one node and an item below another, which has none of the first.
 template <FloatOrDouble S>
 void BoxTree<S>::between(std::size_t one, std::size_t other, PairSearch& search) const {
