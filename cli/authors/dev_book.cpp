@@ -255,6 +255,13 @@ void check_hints(const Exercise& exercise, Problems& problems) {
 void check_wrong_answers(const Book& book, const Exercise& exercise, Problems& problems) {
   std::set<std::string> shown_by_an_answer;
   for (const fs::path& file : wrong_answer_files(exercise)) {
+    // `contact check PATH` takes the last name of an exercise in a path of its chapter.
+    for (const Exercise& other : book.exercises()) {
+      if (other.chapter == exercise.chapter && other.name == file.stem())
+        problems.push_back(shown(file) + ": " + other.id() +
+                           " has this name: a program that is given the path would take the wrong "
+                           "answer for one of that exercise");
+    }
     try {
       const WrongAnswer wrong = read_wrong_answer(file);
       if (wrong.misconception == no_misconception) continue;

@@ -12,15 +12,15 @@ using Table = std::map<std::string_view, std::string_view>;
 
 const Table& letters() {
   static const Table table{
-      {"alpha", "α"},   {"beta", "β"},   {"gamma", "γ"},   {"delta", "δ"},      {"epsilon", "ε"},
-      {"theta", "θ"},   {"kappa", "κ"},  {"lambda", "λ"},  {"varepsilon", "ε"}, {"mu", "μ"},
-      {"nu", "ν"},      {"pi", "π"},     {"rho", "ρ"},     {"sigma", "σ"},      {"tau", "τ"},
-      {"phi", "φ"},     {"psi", "ψ"},    {"varphi", "φ"},  {"omega", "ω"},      {"Delta", "Δ"},
-      {"Sigma", "Σ"},   {"Omega", "Ω"},  {"Phi", "Φ"},     {"ell", "ℓ"},        {"infty", "∞"},
-      {"partial", "∂"}, {"dots", "…"},   {"ldots", "…"},   {"cdots", "⋯"},      {"perp", "⟂"},
-      {"lceil", "⌈"},   {"rceil", "⌉"},  {"lfloor", "⌊"},  {"rfloor", "⌋"},     {"prime", "′"},
-      {"circ", "°"},    {"lvert", "|"},  {"rvert", "|"},   {"lVert", "|"},      {"rVert", "|"},
-      {"langle", "⟨"},  {"rangle", "⟩"}, {"parallel", "∥"}};
+      {"alpha", "α"},   {"beta", "β"},   {"gamma", "γ"},    {"delta", "δ"},      {"epsilon", "ε"},
+      {"theta", "θ"},   {"kappa", "κ"},  {"lambda", "λ"},   {"varepsilon", "ε"}, {"mu", "μ"},
+      {"nu", "ν"},      {"pi", "π"},     {"rho", "ρ"},      {"sigma", "σ"},      {"tau", "τ"},
+      {"phi", "φ"},     {"psi", "ψ"},    {"varphi", "φ"},   {"omega", "ω"},      {"Delta", "Δ"},
+      {"Sigma", "Σ"},   {"Omega", "Ω"},  {"Phi", "Φ"},      {"ell", "ℓ"},        {"infty", "∞"},
+      {"partial", "∂"}, {"dots", "…"},   {"ldots", "…"},    {"cdots", "⋯"},      {"perp", "⟂"},
+      {"lceil", "⌈"},   {"rceil", "⌉"},  {"lfloor", "⌊"},   {"rfloor", "⌋"},     {"prime", "′"},
+      {"circ", "°"},    {"lvert", "|"},  {"rvert", "|"},    {"lVert", "|"},      {"rVert", "|"},
+      {"langle", "⟨"},  {"rangle", "⟩"}, {"parallel", "∥"}, {"top", "T"}};
   return table;
 }
 

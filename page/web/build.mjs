@@ -127,7 +127,7 @@ body[data-theme="dark"]{${dark}}
 @media(prefers-color-scheme:dark){body:not([data-theme="light"]){${dark}}}
 @media print{body,body[data-theme]{${light}}}
 @media(forced-colors:active){body,body[data-theme]{${variables(FORCED)}}}
-contact-figure .stage{${drawingRules}}
+contact-figure .stage{${drawingRules(ROLES)}}
 ${roles}
 ${levels}
 ${["contact.css", "ladder.css", "exercise.css", "mine.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;

@@ -74,8 +74,8 @@ export const variables = (colours) =>
     .map(([name, colour]) => `--contact-${name}:${colour};`)
     .join("");
 
-/** The rules that colour a drawing, wherever it is. */
-export const drawingRules = `
+/** The rules that colour a drawing in these roles. @param {readonly string[]} roles */
+export const drawingRules = (roles) => `
 .line{fill:none;stroke-linecap:round;stroke-linejoin:round}
 .line.dashed{stroke-dasharray:5 5}
 .line.faint{opacity:.75}
@@ -87,13 +87,30 @@ export const drawingRules = `
 .dot.hollow{fill:var(--contact-paper)}
 .label{font:600 14px system-ui,sans-serif;paint-order:stroke;stroke:var(--contact-paper);stroke-width:4px;stroke-linejoin:round}
 .label.small{font-size:12px;font-weight:500}
-${ROLES.map((role) => {
-  const colour = `var(--contact-${role})`;
-  return [
-    `.line.r-${role}{stroke:${colour}}`,
-    `.face.r-${role}{fill:${colour}}.face.outlined.r-${role}{stroke:${colour}}`,
-    `.head.r-${role},.dot.r-${role},.label.r-${role}{fill:${colour}}`,
-    `.dot.hollow.r-${role}{fill:var(--contact-paper);stroke:${colour};stroke-width:2}`,
-  ].join("\n");
-}).join("\n")}
+${roles
+  .map((role) => {
+    const colour = `var(--contact-${role})`;
+    return [
+      `.line.r-${role}{stroke:${colour}}`,
+      `.face.r-${role}{fill:${colour}}.face.outlined.r-${role}{stroke:${colour}}`,
+      `.head.r-${role},.dot.r-${role},.label.r-${role}{fill:${colour}}`,
+      `.dot.hollow.r-${role}{fill:var(--contact-paper);stroke:${colour};stroke-width:2}`,
+    ].join("\n");
+  })
+  .join("\n")}
 `;
+
+/** The style of a picture that stands alone: of the roles that are drawn there. @param {string} drawn SVG */
+export function pictureStyle(drawn) {
+  const roles = ROLES.filter((role) => new RegExp(`\\br-${role}\\b`).test(drawn));
+  const needed = ["paper", "ink", "muted", ...roles];
+  const [light, dark] = [LIGHT, DARK].map((colours) =>
+    variables(
+      Object.fromEntries(Object.entries(colours).filter(([role]) => needed.includes(role))),
+    ),
+  );
+  return (
+    `svg{${light}}@media(prefers-color-scheme:dark){svg{${dark}}}@media print{svg{${light}}}` +
+    `${drawingRules(roles)}.paper{fill:var(--contact-paper)}`
+  );
+}

@@ -14,9 +14,18 @@ const skip = notRun();
 /** @typedef {{ id: string, title: string, scalar: string, exact: boolean, recommended: boolean }} Method */
 /** @typedef {{ ladder: string, families: { id: string }[], methods: Method[], results: Row[] }} Result */
 
-/** The measurements on a page. @param {any} ladder @returns {Promise<Result>} */
-const measured = async (ladder) =>
-  JSON.parse((await ladder.locator(":scope > script").textContent()) ?? "");
+/** The measurements on a page, with the failing inputs from their file. @param {any} ladder @returns {Promise<Result>} */
+async function measured(ladder) {
+  const data = JSON.parse((await ladder.locator(":scope > script").textContent()) ?? "");
+  const failing = await ladder.evaluate(async (/** @type {HTMLElement} */ element) =>
+    (await fetch(element.getAttribute("failures") ?? "")).json(),
+  );
+  for (const row of data.results) {
+    row.failure = failing[`${row.family} ${row.method}`];
+    assert.equal(row.fails ?? false, row.failure !== undefined, `${row.method}, ${row.family}`);
+  }
+  return data;
+}
 
 /** The cell of a row. @param {any} ladder @param {Row} row */
 const cellOf = (ladder, { method, family }) =>
@@ -242,6 +251,48 @@ describe("ladders", { skip }, () => {
       assert.deepEqual(trouble, []);
       await close();
     });
+
+  for (const where of sample(all, 3, "tables of ladders", { kind: "ladder" })) {
+    test(`${where}: all numbers are in a table`, async () => {
+      const { page, close } = await open(chromium.browser, url(where));
+      const ladder = page.locator("contact-ladder").first();
+      const { results } = await measured(ladder);
+      await ladder
+        .locator("summary")
+        .filter({ hasText: /^The numbers$/ })
+        .click();
+      const rows = ladder.locator(":scope > details tbody tr");
+      await rows.first().waitFor();
+      assert.equal(await rows.count(), results.length);
+      for (const [i, text] of (await rows.allTextContents()).entries()) {
+        const { wrong, n } = /** @type {Row} */ (results[i]);
+        const count = `${wrong.toLocaleString("en")} of ${n.toLocaleString("en")}`;
+        assert.ok(text.includes(count), `${text}: ${count}`);
+      }
+      await close();
+    });
+
+    test(`${where}: an input that cannot be loaded is said, and asked for again`, async () => {
+      const { page, close } = await open(chromium.browser, url(where));
+      const ladder = page.locator("contact-ladder").first();
+      const row = (await measured(ladder)).results.find(({ failure }) => failure);
+      assert.ok(row);
+      const moved = (/** @type {string} */ to) =>
+        ladder.evaluate((/** @type {HTMLElement} */ element, name) => {
+          const before = element.getAttribute("failures") ?? "";
+          element.setAttribute("failures", name);
+          return before;
+        }, to);
+      const file = await moved("nowhere.json");
+      await cellOf(ladder, row).click();
+      await ladder.getByText("The input could not be loaded.").waitFor();
+      await moved(file);
+      await cellOf(ladder, row).click();
+      await cellOf(ladder, row).click();
+      await ladder.locator(".cell h4").waitFor();
+      await close();
+    });
+  }
 
   for (const where of sample(all, 3, "ladders with axe", { kind: "ladder" }))
     test(`${where}: axe finds nothing beside an open cell`, async () => {

@@ -230,6 +230,19 @@ def test_dev_check_wants_to_know_where_a_wrong_answer_was_seen(
     assert any("wrong/peak_force.cpp: " + problem in p for p in problems), problems
 
 
+def test_dev_check_wants_a_wrong_answer_not_to_have_an_exercises_name(clone: Path) -> None:
+    exercise = "12_momentum/force_curve"
+    wrong = clone / f"solutions/{exercise}/wrong/peak_force.cpp"
+    wrong.rename(wrong.with_name("sum_of_impulses.cpp"))
+    done = contact(clone, "dev", "check", "--files", exercise, "--json")
+    assert done.returncode == 1
+    problems = [p for r in json.loads(done.stdout)["results"] for p in r["problems"]]
+    assert any(
+        "wrong/sum_of_impulses.cpp: 12_momentum/sum_of_impulses has this name" in p
+        for p in problems
+    ), problems
+
+
 def test_dev_check_proves_one_exercise_whatever_is_in_work(contact: Run, work: Path) -> None:
     copy = work / "02_triangles/ray_triangle.cpp"
     copy.parent.mkdir(parents=True)

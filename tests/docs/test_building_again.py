@@ -93,3 +93,22 @@ def test_without_an_e_book_the_home_page_says_how_to_make_it(
     assert sample.make("--skip-api").returncode == 0
     assert 'href="contact-hours.epub"' not in sample.page("index.html")
     assert "./contact serve --ebook" in sample.page("index.html")
+
+
+def test_a_name_declared_twice_does_not_double_with_each_build(sample: Sample) -> None:
+    def size() -> int:
+        return (sample.build / "doctrees" / "environment.pickle").stat().st_size
+
+    twice = (
+        "\n/// Also a line.\nstruct Line {\n  int a;  ///< a number\n};\n\n}  // namespace contact"
+    )
+    sample.edit("chapters/00_numbers/contact/number.hpp", "}  // namespace contact", twice)
+    made = sample.make()
+    assert "Duplicate C++ declaration" in made.stderr
+    first = size()
+    for _ in range(5):
+        # All pages are read again.
+        for page in (sample.build / "docs-src").rglob("*.*"):
+            page.touch()
+        sample.make()
+    assert size() < 1.5 * first

@@ -189,8 +189,11 @@ class Search {
     std::array<Vertex, 4> v{Vertex{Point::Zero(), start}, vertex({size, 0, 0}),
                             vertex({0, size, 0}), vertex({0, 0, size})};
     for (int step = 0; step < steps; ++step) {
-      std::stable_sort(v.begin(), v.end(),
-                       [](const Vertex& a, const Vertex& b) { return a.at.volume < b.at.volume; });
+      for (std::size_t i = 1; i < v.size(); ++i) {
+        for (std::size_t j = i; j > 0 && v[j].at.volume < v[j - 1].at.volume; --j) {
+          std::swap(v[j], v[j - 1]);
+        }
+      }
       const Point middle = (v[0].turn + v[1].turn + v[2].turn) / 3, away = middle - v[3].turn;
       const Vertex reflected = vertex(middle + away);
       if (reflected.at.volume < v[0].at.volume) {

@@ -104,9 +104,13 @@ template <std::floating_point S>
 Matrix3<S> sorted_axes(Matrix3<S> covariance) {
   const Matrix3<S> vectors = diagonalised(covariance);
   std::array<int, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&covariance](int i, int j) {
-    return covariance(i, i) != covariance(j, j) ? covariance(i, i) > covariance(j, j) : i < j;
-  });
+  const auto put_larger_first = [&](std::size_t i, std::size_t j) {
+    const int a = order[i], b = order[j];
+    if (covariance(b, b) > covariance(a, a)) std::swap(order[i], order[j]);
+  };
+  put_larger_first(0, 1);
+  put_larger_first(1, 2);
+  put_larger_first(0, 1);
   const auto column = [&](std::size_t i) {
     const Vector3<S> v = vectors.col(order[i]);
     return Vector3<S>(v[largest_dimension<S>(v)] < S(0) ? Vector3<S>(-v) : v);

@@ -57,7 +57,7 @@ inline std::vector<Point> whole_directions(int most) {
 /// Those of the points that are extreme in the direction of a multiple of (x, y, z) with integers
 /// up to 3.
 inline std::vector<Point> extreme_points(const std::vector<Point>& points) {
-  std::vector<std::size_t> chosen;
+  std::vector<bool> chosen(points.size());
   for (const Point& direction : whole_directions(3)) {
     const auto along = [&](std::size_t i) { return direction.dot(points[i]); };
     std::size_t least = 0, most = 0;
@@ -67,12 +67,12 @@ inline std::vector<Point> extreme_points(const std::vector<Point>& points) {
       if (y < low) low = y, least = i;
       if (y > high) high = y, most = i;
     }
-    chosen.insert(chosen.end(), {least, most});
+    chosen[least] = chosen[most] = true;
   }
-  std::sort(chosen.begin(), chosen.end());
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   std::vector<Point> extreme;
-  for (const std::size_t i : chosen) extreme.push_back(points[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (chosen[i]) extreme.push_back(points[i]);
+  }
   return extreme;
 }
 
@@ -213,18 +213,16 @@ inline Matrix3<double> small_axes(const Hull& hull, const std::vector<Point>& po
 /// than rounding makes it in a direction in which they have no extent.
 template <std::floating_point S>
 double measure(const OrientedBox<S>& box, int dimensions, double scale) {
-  std::array<double, 3> lengths{};
-  for (int i = 0; i < 3; ++i) {
-    lengths[static_cast<std::size_t>(i)] = static_cast<double>(box.half_lengths[i]) * scale;
-  }
-  std::sort(lengths.begin(), lengths.end());
-  const double thin = 2048 * static_cast<double>(std::numeric_limits<S>::epsilon()) * lengths[2];
-  if (dimensions < 3 && lengths[static_cast<std::size_t>(2 - dimensions)] > thin) {
-    return std::numeric_limits<double>::infinity();
-  }
-  double product = lengths[2];
-  if (dimensions > 1) product *= lengths[1];
-  if (dimensions > 2) product *= lengths[0];
+  const Point lengths = box.half_lengths.template cast<double>() * scale;
+  const double longest = lengths.maxCoeff(), shortest = lengths.minCoeff();
+  const double middle = std::max(std::min(lengths.x(), lengths.y()),
+                                 std::min(std::max(lengths.x(), lengths.y()), lengths.z()));
+  const double thin = 2048 * static_cast<double>(std::numeric_limits<S>::epsilon()) * longest;
+  const double beside = dimensions == 2 ? shortest : middle;
+  if (dimensions < 3 && beside > thin) return std::numeric_limits<double>::infinity();
+  double product = longest;
+  if (dimensions > 1) product *= middle;
+  if (dimensions > 2) product *= shortest;
   return product;
 }
 

@@ -119,4 +119,10 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("build-finished", subset_fonts)
     app.connect("build-finished", minify, priority=800)
     app.connect("build-finished", write_offline, priority=900)
-    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
+    # Another env_version: what was kept by an earlier build is not read.
+    return {
+        "version": "1",
+        "env_version": 1,
+        "parallel_read_safe": False,
+        "parallel_write_safe": True,
+    }

@@ -1,6 +1,7 @@
 """`{ladder}`: the cost of each method and how often it is wrong, from the newest measurement.
 
-The picture is made by the page's own code; the table and the CSV of the same numbers are made here.
+The picture is made by the page's own code. The CSV of the same numbers is made here, and their
+table where no script runs.
 """
 
 from __future__ import annotations
@@ -165,6 +166,24 @@ def as_csv(data: dict[str, Any]) -> str:
     return text.getvalue()
 
 
+def apart(data: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The measurement without its failing inputs, and these by `family method`. A row that has one
+    says `fails`. Numbers have four digits, which is more than the page shows.
+    """
+    rows, failing = [], {}
+    for row in data["results"]:
+        kept = {
+            key: float(f"{value:.4g}") if isinstance(value, float) else value
+            for key, value in row.items()
+            if key != "failure"
+        }
+        if "failure" in row:
+            failing[f"{row['family']} {row['method']}"] = row["failure"]
+            kept["fails"] = True
+        rows.append(kept)
+    return {**data, "results": rows}, failing
+
+
 def alone(html: str) -> str:
     """The picture where no script runs and HTML is XML."""
     return html.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ')
@@ -176,17 +195,21 @@ def ladder_html(translator: HTML5Translator, node: component) -> str:
     parts = slots(translator, node)
     picture = f'<div class="picture">{data["picture"]}</div>'
     measured = f'<div class="measured">{parts["source"][0]}</div>'
-    numbers = parts["table"][0]
     if not can_run_scripts(translator):
-        return f'<div class="ladder">{alone(picture)}{measured}{numbers}</div>'
+        return f'<div class="ladder">{alone(picture)}{measured}{parts["table"][0]}</div>'
+    folder = Path(translator.builder.outdir) / "ladders"
+    folder.mkdir(exist_ok=True)
+    up = "../" * translator.builder.current_docname.count("/") + "ladders/"
     # A file of its own, since the page has these numbers twice already.
     name = f"{data['slug']}.csv"
-    written = Path(translator.builder.outdir) / "ladders" / name
-    written.parent.mkdir(exist_ok=True)
-    written.write_text(as_csv(data["ladder"]), encoding="utf-8", newline="")
-    up = "../" * translator.builder.current_docname.count("/")
-    file = attributes(download=name, href=f"{up}ladders/{name}")
-    folded = f"<details><summary>The numbers</summary><p><a{file}>{name}</a></p>{numbers}</details>"
-    where = attributes(base=base_path(translator), name=data["slug"])
-    script = json_script(data["ladder"])
+    (folder / name).write_text(as_csv(data["ladder"]), encoding="utf-8", newline="")
+    file = attributes(download=name, href=f"{up}{name}")
+    # The page makes their table when it is opened.
+    folded = f"<details><summary>The numbers</summary><p><a{file}>{name}</a></p></details>"
+    # Most of a measurement is inputs on which a method fails, and a reader asks for a few of them.
+    shown, failing = apart(data["ladder"])
+    inputs = f"{data['slug']}.failures.json"
+    (folder / inputs).write_text(json.dumps(failing, separators=(",", ":")), encoding="utf-8")
+    where = attributes(base=base_path(translator), name=data["slug"], failures=f"{up}{inputs}")
+    script = json_script(shown)
     return f"<contact-ladder{where}>{script}{picture}{measured}{folded}</contact-ladder>\n"

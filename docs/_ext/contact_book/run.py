@@ -22,10 +22,12 @@ def run_sphinx(
 ) -> int:
     """Sphinx's exit code; every warning counts as an error, after all of them are printed.
 
-    Pages that did not change are not written again, unless `every_page` says so.
+    Pages that did not change are not written again, unless `every_page` says so. All is read in
+    one process: several are not faster for this book, and each time that Sphinx brings together
+    what they have read, it doubles a C++ name that was ever declared twice.
     """
     command = [
-        *(sys.executable, "-m", "sphinx", "-W", "-n", "-q", "-j", "auto"),
+        *(sys.executable, "-m", "sphinx", "-W", "-n", "-q"),
         *("-b", builder, "-c", str(docs), "-d", str(build / "doctrees")),
         *(("-a",) if every_page else ()),
         *(str(build / "docs-src"), str(target)),

@@ -1,4 +1,4 @@
-// <contact-ladder name="02_triangles" base="…"><script type="application/json">{…}</script>
+// <contact-ladder name="02_triangles" base="…" failures="….json"><script type="application/json">{…}</script>
 //   …picture and table… </contact-ladder>
 //
 // The book's own measurement is there without a script. This makes its cells answer: a pressed one
@@ -14,13 +14,14 @@ import {
   type Kind,
   kindOf,
   type LadderFailure,
+  type LadderFailures,
   type LadderResult,
   type LadderRow,
   methodName,
   type WorkerMessage,
 } from "./ladder-data.ts";
 import { ladderPicture } from "./ladder-picture.ts";
-import { pretty } from "./numbers.ts";
+import { bookNumbers, ownNumbers } from "./ladder-tables.ts";
 import { untilBuilt } from "./pending.ts";
 
 /** Rows down and columns to the right. */
@@ -59,11 +60,15 @@ export class ContactLadder extends HTMLElement {
   }
 
   #build(result: LadderResult): void {
-    for (const scrolling of this.querySelectorAll<HTMLElement>(".wide:not([role])")) {
-      scrolling.tabIndex = 0;
-      scrolling.setAttribute("role", "region");
-      scrolling.setAttribute("aria-label", "Measurements, may scroll sideways");
-    }
+    for (const scrolling of this.querySelectorAll<HTMLElement>(".wide:not([role])"))
+      mayScroll(scrolling, "Measurements, may scroll sideways");
+    const numbers = this.querySelector<HTMLDetailsElement>(":scope > details");
+    numbers?.addEventListener("toggle", () => {
+      if (numbers.querySelector("table")) return;
+      const place = mayScroll(html("div", { class: "wide" }), "Table of measurements");
+      place.append(bookNumbers(result));
+      numbers.append(place);
+    });
     const picture =
       this.querySelector<HTMLElement>(":scope > .picture") ?? html("div", { class: "picture" });
     this.#picture = picture;
@@ -172,6 +177,39 @@ export class ContactLadder extends HTMLElement {
     this.#opened = again ? undefined : cellOf(this.#result!, this.#rows, at.method, at.family);
     this.#show();
     this.#apply();
+    if (this.#opened?.row.fails && !this.#opened.row.failure) void this.#loadFailures();
+  }
+
+  /** Puts the failing inputs into their rows, and into the cell that is open by then. */
+  async #loadFailures(): Promise<void> {
+    try {
+      const answer = await fetch(
+        new URL(this.getAttribute("failures") ?? "./", document.baseURI).href,
+      );
+      if (!answer.ok) throw new Error(`${answer.url}: ${answer.status}`);
+      const failing = (await answer.json()) as LadderFailures;
+      const results = this.#result!.results.map((row) => {
+        const failure = failing[`${row.family} ${row.method}`];
+        return failure ? { ...row, failure } : row;
+      });
+      this.#result = { ...this.#result!, results };
+    } catch (error) {
+      console.warn(`ladder ${this.#result!.ladder}:`, error);
+      const said = this.#panel.querySelector(".failing");
+      if (said)
+        said.textContent =
+          "The input could not be loaded. Close, and press the cell again to try once more.";
+      return;
+    }
+    this.#renew();
+  }
+
+  /** The open cell, with what is known by now. */
+  #renew(): void {
+    if (!this.#opened) return;
+    const { method, family } = this.#opened;
+    this.#opened = cellOf(this.#result!, this.#rows, method.id, family.id);
+    this.#show();
   }
 
   #show(): void {
@@ -258,15 +296,15 @@ export class ContactLadder extends HTMLElement {
       progress.hidden = true;
       status.textContent = words;
       if (this.#rows.length === 0) return;
-      const place = html("div", { class: "wide", tabindex: "0", role: "region" });
-      place.setAttribute("aria-label", "Your own measurements, may scroll sideways");
-      place.append(table(result, this.#rows));
+      const place = mayScroll(
+        html("div", { class: "wide" }),
+        "Your own measurements, may scroll sideways",
+      );
+      place.append(ownNumbers(result, this.#rows));
       numbers.replaceChildren(html("summary", {}, "Your own numbers"), place);
       numbers.hidden = false;
-      if (this.#opened)
-        this.#opened = cellOf(result, this.#rows, this.#opened.method.id, this.#opened.family.id);
       this.#draw();
-      this.#show();
+      this.#renew();
     };
     const receive = ({ data }: MessageEvent<WorkerMessage>): void => {
       if (data.kind === "row") {
@@ -319,32 +357,12 @@ function where(element: Element): { method: string; family: string } | undefined
   return family === undefined || method === undefined ? undefined : { method, family };
 }
 
-function table(result: LadderResult, rows: readonly LadderRow[]): HTMLElement {
-  const head = ["Inputs", "Method", "Wrong", "Here, ns: median (quartiles)", "In the book, ns"];
-  const body = rows.map((row) => {
-    const method = result.methods.find(({ id }) => id === row.method);
-    const family = result.families.find(({ id }) => id === row.family);
-    const book = result.results.find(
-      (other) => other.method === row.method && other.family === row.family,
-    );
-    const ns = (value: number): string => pretty(value, 3);
-    const cells = [
-      family?.title ?? row.family,
-      method ? methodName(method) : row.method,
-      `${row.wrong.toLocaleString("en")} of ${row.n.toLocaleString("en")}`,
-      `${ns(row.ns_median)} (${ns(row.ns_q1)}–${ns(row.ns_q3)})`,
-      book ? ns(book.ns_median) : "–",
-    ];
-    return html("tr", {}, ...cells.map((cell) => html("td", {}, cell)));
-  });
-  const headings = head.map((name) => html("th", { scope: "col" }, name));
-  return html(
-    "table",
-    { class: "docutils" },
-    html("caption", {}, "WebAssembly in this browser"),
-    html("thead", {}, html("tr", {}, ...headings)),
-    html("tbody", {}, ...body),
-  );
+/** A wide box that the keyboard reaches and scrolls. */
+function mayScroll(box: HTMLElement, name: string): HTMLElement {
+  box.tabIndex = 0;
+  box.setAttribute("role", "region");
+  box.setAttribute("aria-label", name);
+  return box;
 }
 
 /** What the browser tells of itself. */

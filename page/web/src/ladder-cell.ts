@@ -193,6 +193,7 @@ export function summary({ row, own, measure }: Cell): string {
 /** The input, if the method has one on which it fails. */
 export function failureOf({ row, family, measure }: Cell): string {
   const { failure } = row;
+  if (!failure && row.fails) return '<p class="failing" role="status">Loading an input …</p>';
   if (!failure)
     return "<p>No input of this family to show: the method is not wrong on any of them.</p>";
   const number = (failure.input + 1).toLocaleString("en");

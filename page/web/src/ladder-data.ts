@@ -45,8 +45,13 @@ export interface LadderRow {
   readonly ns_q1: number;
   readonly ns_q3: number;
   readonly repeats: number;
+  /** That there is an input on which the method fails. It lies in a file of its own, and is loaded when somebody asks. */
+  readonly fails?: boolean;
   readonly failure?: LadderFailure;
 }
+
+/** The failing inputs of a ladder, by `family method`. */
+export type LadderFailures = Readonly<Record<string, LadderFailure>>;
 
 export interface LadderResult {
   readonly ladder: string;

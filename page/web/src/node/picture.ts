@@ -1,7 +1,7 @@
 // The fallback picture of a figure: the same C++ and the same drawing code as in the page, run in
 // Node when the book is built.
 
-import { DARK, drawingRules, LIGHT, variables } from "../../palette.mjs";
+import { pictureStyle } from "../../palette.mjs";
 import { startEngine } from "../engine.ts";
 import type { AnyFigure } from "../figure.ts";
 import type { Fields, Layout } from "../layout.ts";
@@ -35,6 +35,7 @@ export async function drawPicture(figure: AnyFigure, wasm: Uint8Array): Promise<
   view.resize(WIDTH, height);
   const scene = new Scene();
   figure.draw(scene, model.input, model.output);
+  const drawn = shapesToSvg(view.project(scene));
   const values = currentValues(model);
   const describe = sentence(model);
   const rows = values.map((value, i) => {
@@ -50,12 +51,11 @@ export async function drawPicture(figure: AnyFigure, wasm: Uint8Array): Promise<
   const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${full}" width="${WIDTH}" height="${full}" role="img">` +
     `<title>${escapeText(figure.title)}</title><desc>${escapeText(describe)}</desc>` +
-    `<style>svg{${variables(LIGHT)}}@media(prefers-color-scheme:dark){svg{${variables(DARK)}}}@media print{svg{${variables(LIGHT)}}}` +
-    `${drawingRules}.paper{fill:var(--contact-paper)}` +
+    `<style>${pictureStyle(drawn)}` +
     ".name,.text,.meaning{font:13px system-ui,sans-serif;fill:var(--contact-ink)}" +
     ".name{font-style:italic;font-weight:600}.word{font-style:normal}.meaning{fill:var(--contact-muted)}</style>" +
     `<rect class="paper" width="${WIDTH}" height="${full}"/>` +
-    `<svg width="${WIDTH}" height="${height}">${shapesToSvg(view.project(scene))}</svg>${rows.join("")}</svg>\n`;
+    `<svg width="${WIDTH}" height="${height}">${drawn}</svg>${rows.join("")}</svg>\n`;
   const facts = {
     title: figure.title,
     describe,

@@ -1,7 +1,7 @@
 // The fallback picture of the scene player: the same C++ and the same drawing as in the page, run in
 // Node when the book is built.
 
-import { DARK, drawingRules, LIGHT, variables } from "../../palette.mjs";
+import { pictureStyle } from "../../palette.mjs";
 import { pretty } from "../numbers.ts";
 import { Picture, piecesToSvg } from "../scenes/picture.ts";
 import { REACHED, Simulation } from "../scenes/simulation.ts";
@@ -32,14 +32,14 @@ export async function drawScene(
     throw new Error(`${name} cannot be run: ${simulation.trouble()}`);
   const frame = simulation.frame(0)!;
   const pieces = new Picture(opened.scene, first).pieces([frame], WIDTH, HEIGHT);
+  const drawn = piecesToSvg(pieces);
   const describe =
     `${opened.scene.about} The picture shows it after ${pretty(until)} s ` +
     `and ${frame.hits.toLocaleString("en")} hits.`;
   const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" role="img">` +
     `<title>${escapeText(name)}</title><desc>${escapeText(describe)}</desc>` +
-    `<style>svg{${variables(LIGHT)}}@media(prefers-color-scheme:dark){svg{${variables(DARK)}}}@media print{svg{${variables(LIGHT)}}}` +
-    `${drawingRules}.paper{fill:var(--contact-paper)}</style>` +
-    `<rect class="paper" width="${WIDTH}" height="${HEIGHT}"/>${piecesToSvg(pieces)}</svg>\n`;
+    `<style>${pictureStyle(drawn)}</style>` +
+    `<rect class="paper" width="${WIDTH}" height="${HEIGHT}"/>${drawn}</svg>\n`;
   return { svg, facts: { first: name, describe } };
 }
