@@ -141,7 +141,7 @@ TEST_CASE("boxes are the smallest ones, and every triangle is in one leaf") {
   }
 }
 
-TEST_CASE("refitting: the boxes are those of the moved items, and their surface is measured") {
+TEST_CASE("refitting: the boxes are those of the moved items, and their cost is measured") {
   const Mesh<double> mesh = contact::star_mesh(0.5, 1.5, 3);
   std::vector<Aabb<double>> boxes;
   std::vector<int> items;
@@ -152,14 +152,17 @@ TEST_CASE("refitting: the boxes are those of the moved items, and their surface 
   }
   auto tree = contact::build_box_hierarchy<double>(boxes, items, 4);
   const auto built = tree;
-  const double surface = contact::hierarchy_surface(tree, 1.0);
+  const double cost = contact::hierarchy_cost<double>(tree, boxes);
+  // The half edge of the cube, and the share of positions at which it meets a node.
+  const auto half = [](const Aabb<double>& box) -> Point { return (box.high - box.low) / 2; };
+  const Point root = half(tree.nodes[0].box);
+  double t = root.sum() / double(boxes.size());
+  for (const Aabb<double>& box : boxes) t += half(box).sum() / 3 / double(boxes.size());
   double sum = 0;
-  for (std::size_t n = 1; n < built.nodes.size(); ++n) {
-    const Point e = built.nodes[n].box.high - built.nodes[n].box.low;
-    sum += 2 * (e.x() * e.y() + e.y() * e.z() + e.z() * e.x());
-  }
-  CHECK(std::abs(surface - sum) < 1e-12 * sum);
-  // Twice the size: nothing is rounded, so the boxes double, and the surface is four times as much.
+  for (std::size_t n = 1; n < built.nodes.size(); ++n)
+    sum += ((half(built.nodes[n].box).array() + t) / (root.array() + t)).prod();
+  CHECK(std::abs(cost - sum) < 1e-12 * sum);
+  // Twice the size: nothing is rounded, so the boxes double, and the cost is the same.
   for (Aabb<double>& box : boxes) box = {Point(2 * box.low), Point(2 * box.high)};
   contact::refit_box_hierarchy<double>(tree, boxes);
   REQUIRE(tree.order == built.order);
@@ -167,8 +170,7 @@ TEST_CASE("refitting: the boxes are those of the moved items, and their surface 
     REQUIRE(tree.nodes[n].box.low == 2 * built.nodes[n].box.low);
     REQUIRE(tree.nodes[n].box.high == 2 * built.nodes[n].box.high);
   }
-  CHECK(contact::hierarchy_surface(tree, 1.0) == 4 * surface);
-  CHECK(contact::hierarchy_surface(tree, 2.0) == surface);
+  CHECK(contact::hierarchy_cost<double>(tree, boxes) == cost);
 }
 
 TEST_CASE("the same triangle many times, and sizes that halve: the tree does not get deep") {

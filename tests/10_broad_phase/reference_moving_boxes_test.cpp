@@ -97,6 +97,15 @@ TEST_CASE("boxes over a step refuse lists of different lengths, and wrong margin
   const std::vector<Aabb<double>> far{{Vector3<double>::Zero(), Vector3<double>(largest, 0, 0)}};
   CHECK_THROWS_AS(contact::boxes_over_step<double>(far, far, 1e300), std::invalid_argument);
   CHECK(contact::boxes_over_step<double>({}, {}).empty());
+  // What is no box would give one that touches less than it.
+  const Aabb<double> box{Vector3<double>::Zero(), Vector3<double>::Ones()};
+  for (const Vector3<double>& low :
+       {Vector3<double>::Constant(not_a_number).eval(), Vector3<double>(0, not_a_number, 0),
+        Vector3<double>(0, 2, 0), Vector3<double>(-infinity, 0, 0)}) {
+    const std::vector<Aabb<double>> good{box}, bad{{low, box.high}};
+    CHECK_THROWS_AS(contact::boxes_over_step<double>(good, bad), std::invalid_argument);
+    CHECK_THROWS_AS(contact::boxes_over_step<double>(bad, good), std::invalid_argument);
+  }
 }
 
 TEMPLATE_TEST_CASE("a fat box has its margin, rounded outwards, or ends at the largest number", "",

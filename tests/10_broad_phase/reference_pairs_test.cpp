@@ -189,3 +189,40 @@ TEST_CASE("a reversed order is sorted from scratch") {
   CHECK(search.pairs == contact::sweep_pairs<double>(boxes, 0).pairs);
   CHECK(search.other_steps < 400 * 399 / 2);
 }
+
+TEMPLATE_TEST_CASE("a grid for millions of points has at most 2^21 cells along an axis", "", float,
+                   double) {
+  using S = TestType;
+  // Points 1 m apart on a line: with an edge of 1 m, all from the 2^21st on would share the last
+  // cell.
+  const auto edge = [](std::size_t n) {
+    return contact::detail::cell_edge_for<S>({S(n - 1) / 2, 0, 0}, S(0), n);
+  };
+  const std::size_t last = contact::last_grid_cell;
+  CHECK(edge(1000) == 1);
+  CHECK(edge(last + 1) == 1);
+  CHECK(edge(last + 2) == 2);
+  CHECK(edge(std::size_t{1} << 23) == 4);
+}
+
+TEMPLATE_TEST_CASE("a grid has at most one cell more than boxes", "", float, double) {
+  using S = TestType;
+  Random random(6);
+  for (int round = 0; round < generators::tried(400); ++round) {
+    std::vector<Aabb<S>> points;
+    const int n = random.integer(2, 30);
+    const Vector3<S> spread = families::place<S>(random, 20);
+    for (int i = 0; i < n; ++i) {
+      const Vector3<S> share = families::place<S>(random, 1);
+      const Vector3<S> at = spread.cwiseProduct(share).array().round();
+      points.push_back({at, at});
+    }
+    const auto grid = contact::grid_for<S>(points);
+    Vector3<S> high = points.front().high;
+    for (const Aabb<S>& point : points) high = high.cwiseMax(point.high);
+    double cells = 1;
+    for (int k = 0; k < 3; ++k)
+      cells *= contact::grid_cell(S(high(k)), S(grid.origin(k)), grid.cell_edge) + 1.0;
+    REQUIRE(cells <= n + 1);
+  }
+}

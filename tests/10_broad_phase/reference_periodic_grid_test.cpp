@@ -152,7 +152,7 @@ TEMPLATE_TEST_CASE("periodic grid: the pairs are those of fractions", "", float,
       const auto search = contact::periodic_grid_pairs(view, grid);
       REQUIRE(search.pairs == right);
       // No pair twice.
-      REQUIRE(search.box_tests <= boxes.size() * (boxes.size() + 1) / 2);
+      REQUIRE(search.box_tests <= contact::all_pairs(view).box_tests);
       found += right.size();
       across += right.size() - contact::all_pairs(view).pairs.size();
     }

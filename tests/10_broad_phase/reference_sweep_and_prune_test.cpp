@@ -148,3 +148,16 @@ TEST_CASE("sweep and prune starts from scratch when a list does not continue the
   CHECK_FALSE(sweep.resorted());
   CHECK(sweep.update({}).pairs.empty());
 }
+
+TEST_CASE("sweep and prune keeps no pair of a list with errors") {
+  const Aabb<double> box{Vector3<double>::Zero(), Vector3<double>::Ones()};
+  Aabb<double> no_box = box;
+  no_box.low.x() = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Aabb<double>> boxes{no_box, box};
+  SweepAndPrune<double> sweep;
+  CHECK(sweep.update(boxes).pairs.size() == 1);
+  // The pair must not be looked up in a list that does not have its boxes.
+  const PairSearch none = sweep.update({});
+  CHECK(none.pairs.empty());
+  CHECK(none.box_tests == 0);
+}

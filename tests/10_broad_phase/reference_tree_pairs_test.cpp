@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <contact/tree_pairs.hpp>
 #include <limits>
 #include <stdexcept>
@@ -24,6 +25,15 @@ using generators::Random;
 template <class S>
 std::vector<contact::BoxPair> listed_pairs(const std::vector<Aabb<S>>& boxes) {
   return contact::all_pairs<S>(boxes).pairs;
+}
+
+/// Each box takes the position of another.
+template <class S>
+void mix(Random& random, std::vector<Aabb<S>>& boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const int other = random.integer(0, int(i));
+    std::swap(boxes[i], boxes[static_cast<std::size_t>(other)]);
+  }
 }
 
 /// Whether the box of each node is the smallest one of the items below it.
@@ -68,7 +78,7 @@ TEMPLATE_TEST_CASE("a refitted tree finds the pairs of all pairs, in tight boxes
         const PairSearch search = tree.pairs();
         INFO(families::name(family) << ", " << boxes.size() << " boxes, moves of " << most);
         REQUIRE(search.pairs == listed_pairs(boxes));
-        REQUIRE(search.box_tests <= boxes.size() * (boxes.size() + 1) / 2);
+        REQUIRE(search.box_tests <= contact::all_pairs<S>(boxes).box_tests);
         found += search.pairs.size();
         Aabb<S> all;
         REQUIRE((boxes.empty() || is_tight(tree.hierarchy(), boxes, 0, all)));
@@ -91,11 +101,7 @@ TEST_CASE("a tree says that it has become bad when its bodies have mixed, and no
   CHECK_FALSE(tree.is_bad());
   CHECK(tree.growth() < 1.001);
   CHECK(tree.pairs().other_steps < as_new.other_steps * 11 / 10);
-  // Each body takes the position of another.
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const int other = random.integer(0, int(i));
-    std::swap(boxes[i], boxes[static_cast<std::size_t>(other)]);
-  }
+  mix(random, boxes);
   tree.refit(boxes);
   CHECK(tree.is_bad());
   const PairSearch mixed = tree.pairs();
@@ -104,6 +110,69 @@ TEST_CASE("a tree says that it has become bad when its bodies have mixed, and no
   tree = BoxTree<double>(boxes);
   CHECK(tree.growth() == 1);
   CHECK(tree.pairs().other_steps < mixed.other_steps / 2);
+}
+
+TEMPLATE_TEST_CASE("the size of everything does not make a tree bad, and does not hide a bad one",
+                   "", float, double) {
+  using S = TestType;
+  Random random(65);
+  auto boxes = families::make<S>(random, Boxes::scattered, 400);
+  const auto scale = [&](S factor) {
+    for (Aabb<S>& box : boxes) box = {Vector3<S>(factor * box.low), Vector3<S>(factor * box.high)};
+  };
+  BoxTree<S> tree(boxes);
+  const auto as_new = tree.pairs();
+  for (const S factor : {S(2), S(1024), S(0x1p-24)}) {
+    scale(factor);
+    tree.refit(boxes);
+    INFO("scaled by " << factor);
+    CHECK(tree.growth() == 1);
+    CHECK(tree.pairs().other_steps == as_new.other_steps);
+  }
+  mix(random, boxes);
+  scale(S(0x1p-10));
+  tree.refit(boxes);
+  CHECK(tree.is_bad());
+  CHECK(tree.pairs().other_steps > 2 * as_new.other_steps);
+}
+
+TEST_CASE("points on a line, in a plane, or all at one position: a tree says when it is bad") {
+  Random random(66);
+  for (const Vector3<double>& along :
+       {Vector3<double>(1, 0, 0), Vector3<double>(0, 1, -1), Vector3<double>(1e-310, 0, 0),
+        Vector3<double>(0, 1e306, 0)}) {
+    std::vector<Aabb<double>> points;
+    for (int i = 0; i < 100; ++i) {
+      const Vector3<double> at = along * i;
+      points.push_back({at, at});
+    }
+    // One that is elsewhere, so that not all nodes are flat.
+    const Vector3<double> beside = along.cwiseAbs().sum() * Vector3<double>(0, 0, 1);
+    points.push_back({beside, beside});
+    INFO("steps of " << along.transpose());
+    BoxTree<double> tree(points);
+    CHECK(tree.growth() == 1);
+    mix(random, points);
+    tree.refit(points);
+    CHECK(tree.is_bad());
+    const PairSearch mixed = tree.pairs();
+    CHECK(mixed.other_steps > 4 * BoxTree<double>(points).pairs().other_steps);
+  }
+  // From subnormal numbers to large ones: the same arrangement, so the tree is as good as it was.
+  std::vector<Aabb<double>> points(8), later(8);
+  BoxTree<double> at_one_position(points);
+  for (int i = 0; i < 8; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    points[k].low.x() = points[k].high.x() = i * 1e-310;
+    later[k].low.x() = later[k].high.x() = i * 1e5;
+  }
+  BoxTree<double> tree(points);
+  tree.refit(later);
+  CHECK(std::abs(tree.growth() - 1) < 1e-9);
+  CHECK(at_one_position.growth() == 1);
+  at_one_position.refit(later);
+  CHECK(at_one_position.growth() == std::numeric_limits<double>::infinity());
+  CHECK(at_one_position.is_bad());
 }
 
 TEST_CASE("a query counts its comparisons, and finds what touches after refitting") {

@@ -39,7 +39,7 @@ struct BoxHierarchy {
 ///
 /// Each node's box is then the smallest one of the items below, as after building. So queries find
 /// the same items; but the longer the items have moved, the more boxes overlap, and the more nodes
-/// a query visits: hierarchy_surface() measures it.
+/// a query visits: hierarchy_cost() estimates it.
 /// @param boxes of all items, by their numbers
 template <FloatOrDouble S>
 void refit_box_hierarchy(BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxes) {
@@ -277,7 +277,7 @@ class BoxTreeBuilder {
 ///
 /// O(n log n) for all practical input; the depth is at most 96 for every input.
 /// @param boxes made by the functions of aabb.hpp, finite
-/// @param items which of the boxes: their numbers
+/// @param items which of the boxes: their numbers, at most 2^30
 /// @param max_leaf the most items of a leaf, at least 1
 ///
 /// Source: Wald, *On Fast Construction of SAH-based Bounding Volume Hierarchies*, 2007.
@@ -288,26 +288,47 @@ BoxHierarchy<S> build_box_hierarchy(std::span<const Aabb<S>> boxes, std::span<co
 }
 // [/build-box-tree]
 
-// [hierarchy-surface]
-/// The sum of the surfaces of all nodes except the root, in units of length², rounded: the expected
-/// number of nodes that a small box at a random position meets grows with it. After refitting,
-/// compare it with its value when the tree was built.
-/// @param length of which squares neither overflow nor underflow for these boxes, m, greater than 0
+// [hierarchy-cost]
+/// How many nodes below the root a cube is expected to meet, rounded, if its centre is uniformly
+/// distributed where it meets the root's box. After refitting, compare it with its value when the
+/// tree was built.
+///
+/// A cube with the half edge t meets a box if its centre is in the box extended by t on all sides.
+/// So of a node with half edges h in a root with half edges H the probability is the product of
+/// (h + t) / (H + t) over the axes. Only quotients count, so it is the same at every scale. The
+/// cube is as large as the items on average, and a little more, so that the cost of points on a
+/// line or in a plane depends on their order too: t is the mean of all h of the items, plus the sum
+/// of the H divided by the number of items.
+/// @param boxes of all items, by their numbers, finite, in those of the nodes
+/// @return from 0 to the number of nodes; 0 if the root's box is a point, or smaller than numbers
+/// can be halved
 template <FloatOrDouble S>
-double hierarchy_surface(const BoxHierarchy<S>& tree, double length) {
+double hierarchy_cost(const BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxes) {
+  if (tree.nodes.empty()) return 0;
+  // Halves do not overflow, and in units of the root's longest one none exceeds 1.
+  const auto halves = [](const Aabb<S>& box) -> Vector3<double> {
+    return box.high.template cast<double>() / 2 - box.low.template cast<double>() / 2;
+  };
+  const Vector3<double> root = halves(tree.nodes[0].box);
+  const double unit = root.maxCoeff();
+  if (!(unit > 0)) return 0;
   double sum = 0;
-  for (std::size_t n = 1; n < tree.nodes.size(); ++n) {
-    const Aabb<S>& box = tree.nodes[n].box;
-    std::array<double, 3> half;
-    for (int k = 0; k < 3; ++k) {
-      half[static_cast<std::size_t>(k)] = static_cast<double>(box.high[k]) / 2 / length -
-                                          static_cast<double>(box.low[k]) / 2 / length;
-    }
-    sum += 8 * (half[0] * half[1] + half[1] * half[2] + half[2] * half[0]);
+  for (const int item : tree.order) {
+    const Vector3<double> half = halves(boxes[static_cast<std::size_t>(item)]) / unit;
+    sum += (half[0] + half[1] + half[2]) / 3;
   }
-  return sum;
+  sum += (root[0] + root[1] + root[2]) / unit;
+  const double t = sum / static_cast<double>(tree.order.size());
+  const auto extended = [&](const Vector3<double>& half) {
+    return (half[0] / unit + t) * (half[1] / unit + t) * (half[2] / unit + t);
+  };
+  const double whole = extended(root);
+  double cost = 0;
+  for (std::size_t n = 1; n < tree.nodes.size(); ++n)
+    cost += extended(halves(tree.nodes[n].box)) / whole;
+  return cost;
 }
-// [/hierarchy-surface]
+// [/hierarchy-cost]
 
 // [visit-tree]
 /// Calls visit(position) for each position of the order in each leaf whose box, and all boxes above

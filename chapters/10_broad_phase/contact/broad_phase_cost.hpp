@@ -107,17 +107,20 @@ inline double expected_touching_pairs(const BoxProfile& profile) {
 /// on it, up to three roundings (of two differences and of the sum here), each of less than a 32nd
 /// of the edge. So the pairs are among those that overlap on the axis when each box is extended by
 /// 9/8 of an edge: this holds on all three axes, so the smallest of the three counts is a bound.
-/// Boxes that cover many cells are compared with all.
-/// @param boxes n of them, with coordinates of less than 2^48 edges (2^19 in float), and less than
-/// 2^20 edges from the grid's origin, none below it
+/// Boxes that cover many cells, and those that are none, are compared with all.
+/// @param boxes n of them; those that are boxes with coordinates of less than 2^48 edges (2^19 in
+/// float), and less than 2^20 edges from the grid's origin, none below it
 /// @param grid whose edge is a power of two, made by grid_for()
 template <std::floating_point S>
 std::uint64_t max_grid_tests(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   std::vector<Aabb<S>> longer(boxes.begin(), boxes.end());
   std::uint64_t large = 0;
   for (Aabb<S>& box : longer) {
-    if (detail::cells_of(box, grid).cells() > max_cells_of_a_box) ++large;
-    for (int k = 0; k < 3; ++k) box.high(k) += grid.cell_edge * S(9) / S(8);
+    const bool compared_with_all =
+        !detail::is_box(box) || detail::cells_of(box, grid).cells() > max_cells_of_a_box;
+    if (compared_with_all) ++large;
+    // What is no box would become one: then overlaps_on_axis() would count it again.
+    for (int k = 0; k < 3 && !compared_with_all; ++k) box.high(k) += grid.cell_edge * S(9) / S(8);
   }
   std::uint64_t fewest = pair_count(boxes.size());
   for (int axis = 0; axis < 3; ++axis) fewest = std::min(fewest, overlaps_on_axis<S>(longer, axis));
@@ -140,9 +143,10 @@ inline double expected_grid_tests(const BoxProfile& profile, double cell_edge) {
   return expected_touching_pairs(longer);
 }
 
-/// The expected number of cells in which a box of the mean extents is entered: Π (1 + extent /
-/// edge). The expectation itself if all boxes have the same size and uniformly distributed
-/// positions on the grid.
+/// The expected number of entries of all boxes in cells, if each had the mean extents and were
+/// entered in all its cells: n Π (1 + extent / edge). The expectation itself if all boxes have the
+/// same size, uniformly distributed positions on the grid, and at most max_cells_of_a_box cells;
+/// boxes of more cells are not entered.
 inline double expected_grid_entries(const BoxProfile& profile, double cell_edge) {
   double cells = double(profile.count);
   for (int axis = 0; axis < 3; ++axis) cells *= 1 + profile.mean_extent(axis) / cell_edge;
@@ -153,7 +157,8 @@ inline double expected_grid_entries(const BoxProfile& profile, double cell_edge)
 // [sampled-pairs]
 /// An estimate of the number of pairs at most `margin` apart on all axes: up to 32 boxes, evenly
 /// chosen from the list, are compared with all. Unlike an expectation over the spread, it sees
-/// clusters. It is exact for at most 32 boxes.
+/// clusters. It is exact for at most 32 boxes and no margin; with one, each box is extended by
+/// rounded sums, so pairs whose distance is within a few ulp of the margin may count half or not.
 /// @param boxes n of them
 /// @param margin m, not negative
 template <std::floating_point S>
@@ -197,7 +202,7 @@ inline std::uint64_t common_cells(const CellRange& a, const CellRange& b) {
 /// comparing up to 32 boxes with all.
 struct CellSample {
   double entries = 0;     ///< exact: of boxes in cells, without those of many cells
-  double many_cells = 0;  ///< exact: boxes that meet more than max_cells_of_a_box cells
+  double many_cells = 0;  ///< exact: boxes of more than max_cells_of_a_box cells, or that are none
   double in_cells = 0;    ///< pairs whose ranges of cells overlap, without those of many cells
   double repeated = 0;    ///< how often these pairs meet in a further cell
   double touching = 0;    ///< pairs that touch
@@ -205,9 +210,10 @@ struct CellSample {
 
 /// The sample is evenly chosen from the boxes of few cells. Their pairs with each other count half,
 /// since each may be found from both sides; those with boxes of many cells count once, and the
-/// latter are taken to touch each other. So one huge box changes the estimate by exactly its pairs,
-/// whether the sample would have met it or not. Exact for at most 32 boxes of few cells and one of
-/// many.
+/// latter are taken to touch each other. So one huge box that touches all or none of the others
+/// changes the estimate by exactly its pairs, whether the sample would have met it or not; if it
+/// touches some, they are estimated from the sample. Exact for at most 32 boxes of few cells and
+/// one of many.
 /// @param boxes n of them
 /// @param grid any with a finite edge greater than 0
 template <std::floating_point S>
@@ -263,7 +269,7 @@ struct BroadPhaseCost {
 /// The number of levels of sorting n things: the smallest integer k with n < 2^k.
 inline double sorting_depth(std::uint64_t n) { return double(std::bit_width(n)); }
 
-/// The cost of each method, for choosing one: O(n log n), like the methods.
+/// The cost of each method, for choosing one, in O(n log n).
 ///
 /// The numbers of steps are counted, or estimated by sample_cells(); the weight of each kind of
 /// step is fitted to times that were measured for 250 lists of 8 to 10,000 boxes (build/release,
@@ -297,7 +303,8 @@ BroadPhaseCost broad_phase_cost(std::span<const Aabb<S>> boxes) {
 }
 
 /// The pairs of boxes that touch, by the given method.
-/// @param boxes n of them, at most 2^32 − 1
+/// @param boxes n of them, as many as the method takes: at most 2^32 − 1 for all pairs and the
+/// sweep, 2^26 for the grid, 2^30 for the tree
 template <FloatOrDouble S>
 PairSearch touching_pairs(std::span<const Aabb<S>> boxes, BroadPhase method) {
   switch (method) {

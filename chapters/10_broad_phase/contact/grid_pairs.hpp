@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -109,7 +110,8 @@ struct CellEntry {
 /// Sorts entries by their cells, numbers of so many bits, and keeps the order of those of one cell:
 /// radix sort, from the lowest digit to the highest. Each pass counts how often each digit occurs,
 /// and so knows the position of each entry. A digit has about as many values as there are entries,
-/// so this takes time linear in their number as long as the cells are not many more.
+/// but from 16 to 4096, so this takes time linear in their number as long as the cells are not many
+/// more.
 inline void sort_by_cell(std::vector<CellEntry>& entries, int bits) {
   const int digit = std::clamp(int(std::bit_width(entries.size())), 4, 12);
   const std::uint64_t mask = (std::uint64_t{1} << digit) - 1;
@@ -152,14 +154,49 @@ inline std::vector<CellEntry> entries_in_cells(std::span<const CellRange> ranges
 }  // namespace detail
 
 // [grid-for]
-/// A grid for the boxes: cells at least twice as wide as the median box, and not more cells than
-/// boxes.
+namespace detail {
+
+/// The edge of the cells for so many boxes: the smallest power of two that is at least twice the
+/// median edge, with at most boxes + 1 cells in the whole range, and at most 2^21 along an axis:
+/// coordinates beyond would all be in the last cell.
+///
+/// A range of length s has at most s / edge + 1 cells of a grid that begins where it begins. The
+/// quotients are rounded, so all this holds up to a few ulp. It ends at the largest power of two
+/// whose double is finite, whatever the boxes.
+/// @param half_spread half of the range of all boxes, m, greater than 0 on an axis
+/// @param half_median half of the median box's longest edge, m
+template <std::floating_point S>
+S cell_edge_for(const Vector3<S>& half_spread, S half_median, std::size_t boxes) {
+  constexpr int most = std::numeric_limits<S>::max_exponent - 2;
+  int power =
+      std::max(std::ilogb(half_spread.maxCoeff()) - 32, std::numeric_limits<S>::min_exponent);
+  const auto too_many = [&] {
+    const S edge = std::ldexp(S(1), power);
+    double cells = 1;
+    for (int k = 0; k < 3; ++k) {
+      const double along = 2 * double(half_spread(k) / edge);
+      if (!(along < double(last_grid_cell) + 1)) return true;
+      cells *= along + 1;
+    }
+    return cells > double(boxes) + 1;
+  };
+  const auto too_narrow = [&] { return std::ldexp(S(1), power) / S(4) < half_median; };
+  while (power < most && (too_many() || too_narrow())) ++power;
+  return std::ldexp(S(1), power);
+}
+
+}  // namespace detail
+
+/// A grid for the boxes: cells at least twice as wide as the median box, and about as many as boxes
+/// at most: one more, as for points at 0 and 2, or a few more where rounding decides.
 ///
 /// The median is used because one huge body among small ones does not change it. The edge is a
-/// power of two. Without boxes, or if all of them are points at one position, cells are 1 m wide.
+/// power of two, and twice the median is meant up to the rounding of a box's edge. Without boxes,
+/// or if all of them are points at one position, cells are 1 m wide.
 ///
 /// Limits: the second condition counts cells of the whole range. One body far from the others, or
 /// much larger than all of them together, makes the cells so long that most others share a few.
+/// Where an edge of a quarter of the largest number is still too short, neither condition holds.
 /// @param boxes n of them; those that are no boxes do not count
 template <std::floating_point S>
 PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
@@ -177,20 +214,8 @@ PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
   const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
   std::nth_element(halves.begin(), middle, halves.end());
   const Vector3<S> half_spread = all.high / S(2) - all.low / S(2);
-  const S longest = half_spread.maxCoeff();
-  if (!(longest > S(0))) return grid;
-
-  constexpr int most = std::numeric_limits<S>::max_exponent - 2;
-  int power = std::max(std::ilogb(longest) - 32, std::numeric_limits<S>::min_exponent);
-  const auto too_many = [&] {
-    const S edge = std::ldexp(S(1), power);
-    double cells = 1;
-    for (int k = 0; k < 3; ++k) cells *= 2 * double(half_spread(k) / edge) + 1;
-    return cells > double(halves.size()) + 1;
-  };
-  const auto too_narrow = [&] { return std::ldexp(S(1), power) / S(4) < *middle; };
-  while (power < most && (too_many() || too_narrow())) ++power;
-  grid.cell_edge = std::ldexp(S(1), power);
+  if (half_spread.maxCoeff() > S(0))
+    grid.cell_edge = detail::cell_edge_for<S>(half_spread, *middle, halves.size());
   return grid;
 }
 // [/grid-for]
@@ -201,8 +226,8 @@ PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
 /// Boxes that touch have a point in common, and the cell of that point is in the range of both. A
 /// pair that shares several cells is tested only in the first of them, so at most once. The few
 /// boxes that cover more than `max_cells_of_a_box` cells are compared with all.
-/// @param boxes n of them, at most 2^26, so that no count of entries overflows; one that is no box
-/// (not finite, or low > high) is compared with all
+/// @param boxes n of them, at most 2^26: with up to 64 entries each, every position in their list
+/// is less than 2^32; one that is no box (not finite, or low > high) is compared with all
 /// @param grid made by grid_for(), or any other with a finite edge greater than 0: the pairs are
 /// the same, the cost is not
 /// @return box_tests: the pairs whose ranges of cells overlap, and those with a box of many cells;
@@ -211,6 +236,7 @@ template <std::floating_point S>
 PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   PairSearch search;
   const std::uint32_t n = detail::box_count(boxes);
+  assert(n <= 1u << 26);
   std::vector<detail::CellRange> ranges;
   ranges.reserve(n);
   detail::CellBlock block;

@@ -26,14 +26,16 @@ namespace contact {
 /// For each body a box that contains it throughout a step, from its boxes at both ends.
 ///
 /// Hypothesis: at each time a point of the body is at most `margin`, in each coordinate, from the
-/// straight line between its positions at both ends: 0 for a body that translates at constant
-/// velocity, sagitta() for one that also turns. The line is in the box of both ends, which is
-/// convex. So bodies that touch at any time of the step have boxes that touch; boxes may touch
-/// although the bodies pass the same position at different times.
+/// straight line between its positions at both ends. That is 0 for a body that translates at
+/// constant velocity. It is sagitta() for one that also turns about a fixed axis at a constant
+/// rate, by π or less in the step, about a point that moves straight at constant velocity; not for
+/// one that turns further, since sagitta() knows the orientations at both ends only. The line is in
+/// the box of both ends, which is convex. So bodies that touch at any time of the step have boxes
+/// that touch; boxes may touch although the bodies pass the same position at different times.
 /// @param start, end boxes of n bodies at both ends of the step, in the same order, m
 /// @param margin m, not negative
-/// @throws std::invalid_argument if the lists differ in length, the margin is negative or not
-/// finite, or a box overflows
+/// @throws std::invalid_argument if the lists differ in length, one of them has what is no box (not
+/// finite, or low > high), the margin is negative or not finite, or a box overflows
 template <FloatOrDouble S>
 std::vector<Aabb<S>> boxes_over_step(std::span<const Aabb<S>> start, std::span<const Aabb<S>> end,
                                      S margin = S(0)) {
@@ -43,8 +45,16 @@ std::vector<Aabb<S>> boxes_over_step(std::span<const Aabb<S>> start, std::span<c
   }
   std::vector<Aabb<S>> boxes;
   boxes.reserve(start.size());
-  for (std::size_t i = 0; i < start.size(); ++i)
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    for (const Aabb<S>& box : {start[i], end[i]}) {
+      if (!detail::is_box(box)) {
+        throw_invalid_argument("box " + std::to_string(i),
+                               vector_text(box.low) + " to " + vector_text(box.high),
+                               "must be finite, with low <= high");
+      }
+    }
     boxes.push_back(aabb_of_motion<S>(start[i], end[i], margin));
+  }
   return boxes;
 }
 // [/boxes-over-step]
@@ -97,8 +107,8 @@ class FatBoxPairs {
   /// The pairs that touch now: the same as those of all_pairs().
   /// @param boxes in the same order as in the previous step; if their number has changed, all is
   /// made anew. One that is no box (not finite, or low > high) is compared with all
-  /// @return box_tests: comparisons of boxes, all in all the kept pairs; other_steps: containments
-  /// and nodes tested
+  /// @return box_tests: comparisons of boxes: the kept pairs, and if fat boxes were renewed, those
+  /// of fat boxes in the tree; other_steps: containments and nodes tested
   PairSearch update(std::span<const Aabb<S>> boxes);
 
   /// How many fat boxes the last update has renewed.

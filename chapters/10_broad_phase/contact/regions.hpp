@@ -215,7 +215,8 @@ PairSearch region_pairs(std::span<const Aabb<S>> boxes, const Regions<S>& region
 /// The pairs found if each body is entered in one region only, that of its centre, as "which region
 /// each object is in" suggests.
 ///
-/// Limits: two bodies that touch across a border are missed. The other pairs are right.
+/// Limits: two bodies that touch are missed if their centres are in different regions. The other
+/// pairs are right.
 /// @param boxes n of them, with low ≤ high, finite
 template <FloatOrDouble S>
 PairSearch pairs_of_one_region_each(std::span<const Aabb<S>> boxes, const Regions<S>& regions) {

@@ -1,6 +1,7 @@
 /// @file
 /// Sweep and prune on three axes that keeps everything from step to step: the order of the ends,
-/// and the pairs that touch. A step costs what has changed.
+/// and the pairs that touch. A step reads and writes all ends once; beyond that it costs what has
+/// changed.
 #pragma once
 
 #include <algorithm>
@@ -53,9 +54,9 @@ class SweepAndPrune {
  public:
   /// The pairs that touch now: the same as those of all_pairs().
   ///
-  /// The first time, if the number of boxes has changed, if one is no box (not finite, or low >
-  /// high), or if sorting by insertion would take longer, it starts from scratch by sweep_pairs(),
-  /// and resorted() says so.
+  /// The first time (unless the list is empty), if the number of boxes has changed, if one is no
+  /// box (not finite, or low > high), or if sorting by insertion would take longer, it starts from
+  /// scratch by sweep_pairs(), and resorted() says so.
   /// @param boxes n of them, at most 2^31 − 1, in the same order as in the previous step
   /// @return unless resorted(), box_tests: the pairs of the previous step, and on each axis the
   /// pairs of which a beginning has moved below an end; other_steps: exchanges of ends on all axes
@@ -109,8 +110,9 @@ template <Ring S>
 PairSearch SweepAndPrune<S>::start(std::span<const Aabb<S>> boxes) {
   resorted_ = true;
   PairSearch search = sweep_pairs(boxes);
-  pairs_ = search.pairs;
   const bool sortable = std::all_of(boxes.begin(), boxes.end(), detail::is_box<S>);
+  pairs_.clear();  // with no order, no pair is kept either
+  if (sortable) pairs_ = search.pairs;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<End>& ends = ends_[static_cast<std::size_t>(axis)];
     ends.clear();

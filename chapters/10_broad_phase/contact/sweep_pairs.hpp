@@ -173,8 +173,8 @@ class IncrementalSweep {
   /// scratch, it sorts from scratch, and resorted() says so. It does so too if the number of boxes
   /// has changed, or one is no box.
   /// @param boxes in the same order as in the previous step
-  /// @return box_tests: overlaps_on_axis(boxes, axis), exactly; other_steps: the number of pairs
-  /// that exchanged their order, exactly, unless resorted()
+  /// @return box_tests: overlaps_on_axis(boxes, axis), exactly, if all are boxes; other_steps: the
+  /// number of pairs that exchanged their order, exactly, unless resorted()
   PairSearch update(std::span<const Aabb<S>> boxes);
 
   /// Whether the last update sorted from scratch.

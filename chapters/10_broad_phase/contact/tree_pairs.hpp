@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -30,21 +31,25 @@ class BoxTree {
  public:
   /// The largest number of boxes in a leaf.
   static constexpr int leaf_size = 4;
-  /// From this growth() on the tree is bad. It changes the cost only, never a result.
+  /// From this growth() on the tree counts as bad. It changes the cost only, never a result.
   static constexpr double max_growth = 2;
 
-  /// @param boxes n of them, at most 2^31 − 1; copied
+  /// @param boxes n of them, at most 2^30, so that fewer than 2^31 nodes are numbered; copied
   explicit BoxTree(std::span<const Aabb<S>> boxes);
 
-  /// Moves the boxes and recomputes those of the nodes; the structure stays, so the results are
-  /// those of a new tree, and their cost grows with growth().
+  /// Moves the boxes and recomputes those of the nodes; the structure stays. The results are those
+  /// of a new tree; what they cost, growth() estimates.
   /// @param boxes as many as before, in the same order
   /// @throws std::invalid_argument if their number is another
   void refit(std::span<const Aabb<S>> boxes);
 
-  /// By which factor the total surface of the nodes has grown since the structure was made.
+  /// By which factor hierarchy_cost() has grown since the structure was made, at least 1: how many
+  /// times as many nodes a cube of the mean size is expected to meet. Motion or scaling of all
+  /// boxes together does not change it, up to rounding.
+  /// @return infinite if all boxes were at one position and no longer are, or if it is no number
   double growth() const;
-  /// Whether refitting has made the tree so bad that building a new one is better.
+  /// Whether growth() has reached max_growth: then building a new tree is likely to pay. It may
+  /// not, if the boxes have only become larger or crowded.
   bool is_bad() const { return !(growth() < max_growth); }
 
   /// The pairs that touch.
@@ -63,8 +68,7 @@ class BoxTree {
   BoxHierarchy<S> tree_;
   std::vector<Aabb<S>> ordered_;          // the boxes in the order of the tree
   std::vector<std::uint32_t> irregular_;  // those that are not in the tree
-  double length_ = 1;                     // the unit of surface_
-  double surface_ = 0;                    // when the structure was made
+  double cost_ = 0;                       // hierarchy_cost() when the structure was made
 
   void build();
   void copy_in_order();
@@ -79,7 +83,7 @@ class BoxTree {
 
 template <FloatOrDouble S>
 BoxTree<S>::BoxTree(std::span<const Aabb<S>> boxes) : boxes_(boxes.begin(), boxes.end()) {
-  assert(boxes.size() <= std::size_t{std::numeric_limits<int>::max()});
+  assert(boxes.size() <= std::size_t{1} << 30);
   build();
 }
 
@@ -97,14 +101,7 @@ void BoxTree<S>::build() {
   }
   tree_ = build_box_hierarchy<S>(boxes_, items, leaf_size);
   copy_in_order();
-  length_ = 1;
-  if (!tree_.nodes.empty()) {
-    const Aabb<S>& root = tree_.nodes[0].box;
-    const double half =
-        (root.high.template cast<double>() / 2 - root.low.template cast<double>() / 2).maxCoeff();
-    if (half > 0) length_ = half;
-  }
-  surface_ = hierarchy_surface(tree_, length_);
+  cost_ = hierarchy_cost<S>(tree_, boxes_);
 }
 
 template <FloatOrDouble S>
@@ -136,9 +133,10 @@ void BoxTree<S>::refit(std::span<const Aabb<S>> boxes) {
 
 template <FloatOrDouble S>
 double BoxTree<S>::growth() const {
-  const double now = hierarchy_surface(tree_, length_);
-  if (!(now > surface_)) return 1;
-  return surface_ > 0 ? now / surface_ : std::numeric_limits<double>::infinity();
+  const double now = hierarchy_cost<S>(tree_, boxes_);
+  if (now <= cost_) return 1;
+  const double factor = now / cost_;
+  return std::isnan(factor) ? std::numeric_limits<double>::infinity() : factor;
 }
 // [/refit]
 
@@ -234,7 +232,7 @@ std::vector<std::uint32_t> BoxTree<S>::touching(const Aabb<S>& box, PairSearch* 
 }
 
 /// The pairs of boxes that touch, by a BoxTree built for this.
-/// @param boxes n of them, at most 2^31 − 1
+/// @param boxes n of them, at most 2^30
 template <FloatOrDouble S>
 PairSearch tree_pairs(std::span<const Aabb<S>> boxes) {
   return BoxTree<S>(boxes).pairs();
