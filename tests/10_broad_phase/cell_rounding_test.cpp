@@ -6,6 +6,9 @@
 
 #include <contact/exact.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace {
 
 using namespace contact::testing;
@@ -51,6 +54,20 @@ bool formulas_agree(const Pair& pair) {
   return agree(pair.low_a, pair.high_a) && agree(pair.low_b, pair.high_b);
 }
 
+/// Whether the box has a point in the cell that truncation gives for an end, or rounding down gives
+/// this cell too: then a wrong cell is not the fault of truncation.
+bool truncation_is_right(const Pair& pair, double cell, double rounded_down) {
+  return cell == rounded_down || has_a_point_in(pair.low_a, pair.high_a, cell, pair.edge);
+}
+
+/// Whether the boxes have a key in common if the key of cell k is the product k * edge.
+bool share_a_product(const Pair& pair) {
+  const auto first_of = [&](double low) { return std::floor(low / pair.edge); };
+  // The first cell of the box that begins last, if it is a cell of both.
+  const double cell = std::max(first_of(pair.low_a), first_of(pair.low_b));
+  return cell * pair.edge <= pair.high_a && cell * pair.edge <= pair.high_b;
+}
+
 bool begin_alike(const Pair& pair) {
   return std::floor(pair.low_a / pair.edge) == std::floor(pair.low_b / pair.edge);
 }
@@ -76,12 +93,14 @@ TEST_CASE("a box is put in a cell in which it has no point") {
       .input("pair", [] { return exercise::in_a_cell_without_a_point(); })
       .judge([](const Pair& pair) {
         const Cells cells = truncated(pair);
+        const Cells down = given::cells_to_search(pair.low_a, pair.high_a, pair.edge);
         // Truncation is monotonic, so cells between those of the ends have points if these have.
-        const bool wrong = !has_a_point_in(pair.low_a, pair.high_a, cells.first, pair.edge) ||
-                           !has_a_point_in(pair.low_a, pair.high_a, cells.last, pair.edge);
+        const bool wrong = !truncation_is_right(pair, cells.first, down.first) ||
+                           !truncation_is_right(pair, cells.last, down.last);
         return Judged{wrong, text(cells), "only cells in which the box has a point",
                       wrong ? "In one of these cells the box has no point."
-                            : "The box has a point in each of these cells."};
+                            : "Each of these cells has a point of the box, or is one that rounding "
+                              "down gives too."};
       });
 }
 
@@ -114,6 +133,7 @@ TEST_CASE("boxes that touch are lost by keys that are added up") {
       .rule("no low is above its high, and all are from -10 to 10",
             [](const Pair& pair) { return are_intervals(pair, 10); })
       .rule("the boxes have a common point", touch)
+      .rule("the boxes have a common key if the key of each cell k is k * edge", share_a_product)
       .suspect_if("break-keys-begin-alike", begin_alike)
       .suspect_if("break-keys-are-exact",
                   [](const Pair& pair) { return is_power_of_two(pair.edge); })
