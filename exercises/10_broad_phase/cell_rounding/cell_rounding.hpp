@@ -20,8 +20,8 @@ struct Pair {
 };
 
 /// Boxes of which given::cells_by_truncation puts the first in a cell in which it has no point, and
-/// in which given::cells_to_search, which rounds down, does not put it; the second is not asked. The
-/// edge is from 0.01 to 10, and the coordinates are from -100 to 100.
+/// in which given::cells_to_search, which rounds down, does not put it; the second is not asked.
+/// The edge is from 0.01 to 10, and the coordinates are from -100 to 100.
 Pair in_a_cell_without_a_point();
 
 /// Boxes with a common point of which given::is_found says that a does not find b. The edge is from
@@ -29,8 +29,8 @@ Pair in_a_cell_without_a_point();
 Pair lost_by_the_reciprocal();
 
 /// Boxes with a common point for which given::share_a_key says that they have no key in common. If
-/// the key of each cell were the product k * edge, they would have one. The edge is from 0.01 to 10,
-/// and the coordinates are from -10 to 10.
+/// the key of each cell were the product k * edge, they would have one. The edge is from 0.01 to
+/// 10, and the coordinates are from -10 to 10.
 Pair lost_by_added_keys();
 
 }  // namespace exercise
