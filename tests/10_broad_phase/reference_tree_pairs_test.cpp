@@ -136,43 +136,51 @@ TEMPLATE_TEST_CASE("the size of everything does not make a tree bad, and does no
   CHECK(tree.pairs().other_steps > 2 * as_new.other_steps);
 }
 
-TEST_CASE("points on a line, in a plane, or all at one position: a tree says when it is bad") {
+TEST_CASE("points on a line: a tree says when it is bad, also with one beside the line") {
   Random random(66);
   for (const Vector3<double>& along :
        {Vector3<double>(1, 0, 0), Vector3<double>(0, 1, -1), Vector3<double>(1e-310, 0, 0),
         Vector3<double>(0, 1e306, 0)}) {
-    std::vector<Aabb<double>> points;
-    for (int i = 0; i < 100; ++i) {
-      const Vector3<double> at = along * i;
-      points.push_back({at, at});
+    for (const int beside : {0, 1}) {
+      std::vector<Aabb<double>> points;
+      for (int i = 0; i < 100; ++i) {
+        const Vector3<double> at = along * i;
+        points.push_back({at, at});
+      }
+      const Vector3<double> other = beside * along.cwiseAbs().sum() * Vector3<double>(0, 0, 1);
+      points.push_back({other, other});
+      INFO("steps of " << along.transpose() << ", beside it " << beside);
+      BoxTree<double> tree(points);
+      CHECK(tree.growth() == 1);
+      mix(random, points);
+      tree.refit(points);
+      CHECK(tree.is_bad());
+      const PairSearch mixed = tree.pairs();
+      CHECK(mixed.other_steps > 4 * BoxTree<double>(points).pairs().other_steps);
     }
-    // One that is elsewhere, so that not all nodes are flat.
-    const Vector3<double> beside = along.cwiseAbs().sum() * Vector3<double>(0, 0, 1);
-    points.push_back({beside, beside});
-    INFO("steps of " << along.transpose());
-    BoxTree<double> tree(points);
-    CHECK(tree.growth() == 1);
-    mix(random, points);
-    tree.refit(points);
-    CHECK(tree.is_bad());
-    const PairSearch mixed = tree.pairs();
-    CHECK(mixed.other_steps > 4 * BoxTree<double>(points).pairs().other_steps);
   }
-  // From subnormal numbers to large ones: the same arrangement, so the tree is as good as it was.
-  std::vector<Aabb<double>> points(8), later(8);
-  BoxTree<double> at_one_position(points);
-  for (int i = 0; i < 8; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    points[k].low.x() = points[k].high.x() = i * 1e-310;
-    later[k].low.x() = later[k].high.x() = i * 1e5;
+}
+
+TEST_CASE("a tree built of points at one position, or subnormal ones, says when it is bad") {
+  Random random(67);
+  constexpr std::size_t n = 100;
+  const std::vector<Aabb<double>> at_origin(n);
+  std::vector<Aabb<double>> points(n), later(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    points[i].low.x() = points[i].high.x() = double(i) * 1e-310;
+    later[i].low.x() = later[i].high.x() = double(i) * 1e5;
   }
-  BoxTree<double> tree(points);
+  // The same arrangement, so the tree is as good as it was.
+  BoxTree<double> tree(points), blind(at_origin);
   tree.refit(later);
   CHECK(std::abs(tree.growth() - 1) < 1e-9);
-  CHECK(at_one_position.growth() == 1);
-  at_one_position.refit(later);
-  CHECK(at_one_position.growth() == std::numeric_limits<double>::infinity());
-  CHECK(at_one_position.is_bad());
+  mix(random, later);
+  tree.refit(later);
+  CHECK(tree.is_bad());
+  CHECK(blind.growth() == 1);
+  blind.refit(later);
+  CHECK(blind.growth() == std::numeric_limits<double>::infinity());
+  CHECK(blind.is_bad());
 }
 
 TEST_CASE("a query counts its comparisons, and finds what touches after refitting") {
