@@ -189,6 +189,7 @@ class Search {
     std::array<Vertex, 4> v{Vertex{Point::Zero(), start}, vertex({size, 0, 0}),
                             vertex({0, size, 0}), vertex({0, 0, size})};
     for (int step = 0; step < steps; ++step) {
+      // By insertion: std::stable_sort would be 4 kB of a figure, for four vertices.
       for (std::size_t i = 1; i < v.size(); ++i) {
         for (std::size_t j = i; j > 0 && v[j].at.volume < v[j - 1].at.volume; --j) {
           std::swap(v[j], v[j - 1]);

@@ -200,7 +200,7 @@ def ladder_html(translator: HTML5Translator, node: component) -> str:
     folder = Path(translator.builder.outdir) / "ladders"
     folder.mkdir(exist_ok=True)
     up = "../" * translator.builder.current_docname.count("/") + "ladders/"
-    # A file of its own, since the page has these numbers twice already.
+    # With all digits, for other programs.
     name = f"{data['slug']}.csv"
     (folder / name).write_text(as_csv(data["ladder"]), encoding="utf-8", newline="")
     file = attributes(download=name, href=f"{up}{name}")
