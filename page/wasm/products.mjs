@@ -11,6 +11,7 @@ import {
   runtimeFlags,
   studentFlags,
   testFlags,
+  timedFigureFlags,
 } from "./flags.mjs";
 import { inRoot } from "./paths.mjs";
 
@@ -51,7 +52,7 @@ export function chapterFolders(slug) {
 /** @param {string[]} flags @returns {import('./recipes.mjs').Precompile} */
 const pagePrelude = (flags) => ({
   tool: "precompile",
-  what: `the headers that all ${flags === figureFlags ? "figures" : "ladders"} share`,
+  what: `the headers that all ${flags === pageFlags ? "ladders" : flags === figureFlags ? "figures" : "figures with times"} share`,
   flags,
   folders: [],
   source: inRoot("page", "wasm", "page_prelude.hpp"),
@@ -116,12 +117,23 @@ function moduleRecipe(source, folders, flags, others = []) {
   };
 }
 
-/** @param {string} source @param {string[]} folders where the reference headers are */
-export const figureRecipe = (source, folders) => {
+/**
+ * @param {string} source @param {string[]} folders where the reference headers are
+ * @param {boolean} timed whether the page measures its times
+ */
+export const figureRecipe = (source, folders, timed = false) => {
   const found = [inRoot("page", "figure"), ...folders];
-  const part = moduleRecipe(source, found, figureFlags, [smallHeap]);
+  const part = timed
+    ? moduleRecipe(source, found, timedFigureFlags)
+    : moduleRecipe(source, found, figureFlags, [smallHeap]);
   return /** @type {const} */ ({ tool: "shrink", what: part.what, part });
 };
+
+/** Whether a figure has a control that measures times. @param {string} source */
+function isTimed(source) {
+  const drawing = source.replace(/\.cpp$/, ".ts");
+  return fs.existsSync(drawing) && fs.readFileSync(drawing, "utf8").includes('kind: "measure"');
+}
 
 /** Every figure: chapters/NN_slug/figures/NAME.cpp. @returns {Product[]} */
 export function figures() {
@@ -131,7 +143,7 @@ export function figures() {
       .map((file) => {
         const name = `${slug}/${path.basename(file, ".cpp")}`;
         const source = inRoot("chapters", slug, "figures", file);
-        const recipe = figureRecipe(source, chapterFolders(slug));
+        const recipe = figureRecipe(source, chapterFolders(slug), isTimed(source));
         return { name, output: `figures/${name}.wasm`, recipe };
       }),
   );

@@ -141,6 +141,38 @@ TEST_CASE("boxes are the smallest ones, and every triangle is in one leaf") {
   }
 }
 
+TEST_CASE("refitting: the boxes are those of the moved items, and their cost is measured") {
+  const Mesh<double> mesh = contact::star_mesh(0.5, 1.5, 3);
+  std::vector<Aabb<double>> boxes;
+  std::vector<int> items;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto [a, b, c] = contact::triangle_of(mesh, i);
+    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+    items.push_back(static_cast<int>(i));
+  }
+  auto tree = contact::build_box_hierarchy<double>(boxes, items, 4);
+  const auto built = tree;
+  const double cost = contact::hierarchy_cost<double>(tree, boxes);
+  // The half edge of the cube, and the share of positions at which it meets a node.
+  const auto half = [](const Aabb<double>& box) -> Point { return (box.high - box.low) / 2; };
+  const Point root = half(tree.nodes[0].box);
+  double t = root.sum() / double(boxes.size());
+  for (const Aabb<double>& box : boxes) t += half(box).sum() / 3 / double(boxes.size());
+  double sum = 0;
+  for (std::size_t n = 1; n < built.nodes.size(); ++n)
+    sum += ((half(built.nodes[n].box).array() + t) / (root.array() + t)).prod();
+  CHECK(std::abs(cost - sum) < 1e-12 * sum);
+  // Twice the size: nothing is rounded, so the boxes double, and the cost is the same.
+  for (Aabb<double>& box : boxes) box = {Point(2 * box.low), Point(2 * box.high)};
+  contact::refit_box_hierarchy<double>(tree, boxes);
+  REQUIRE(tree.order == built.order);
+  for (std::size_t n = 0; n < built.nodes.size(); ++n) {
+    REQUIRE(tree.nodes[n].box.low == 2 * built.nodes[n].box.low);
+    REQUIRE(tree.nodes[n].box.high == 2 * built.nodes[n].box.high);
+  }
+  CHECK(contact::hierarchy_cost<double>(tree, boxes) == cost);
+}
+
 TEST_CASE("the same triangle many times, and sizes that halve: the tree does not get deep") {
   Mesh<double> mesh;
   for (int i = 0; i < 3000; ++i) {

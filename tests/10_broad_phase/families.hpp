@@ -16,29 +16,35 @@ using generators::Random;
 
 /// The families of lists of boxes.
 enum class Boxes {
-  scattered,   ///< random sizes and positions
-  grid,        ///< integers: faces coincide everywhere
-  equal,       ///< many copies of a few boxes
-  points,      ///< without extent, several at one position
-  one_huge,    ///< one that contains all the others, and one that contains half of them
-  on_a_line,   ///< all positions on one axis
-  touching,    ///< a row in which each ends where the next begins, exactly or one ulp off
-  far,         ///< close to each other and far from the origin
-  huge,        ///< up to the largest numbers
-  tiny,        ///< down to the smallest
-  clusters,    ///< a few clusters far apart
-  mixed_sizes  ///< every order of magnitude
+  scattered,    ///< random sizes and positions
+  grid,         ///< integers: faces coincide everywhere
+  equal,        ///< many copies of a few boxes
+  points,       ///< without extent, several at one position
+  one_huge,     ///< one that contains all the others, and one that contains half of them
+  on_a_line,    ///< all positions on one axis
+  touching,     ///< a row in which each ends where the next begins, exactly or one ulp off
+  far,          ///< close to each other and far from the origin
+  huge,         ///< up to the largest numbers
+  tiny,         ///< down to the smallest
+  clusters,     ///< a few clusters far apart
+  mixed_sizes,  ///< every order of magnitude
+  rods,         ///< long on one axis, thin on the others
+  borders,      ///< faces at multiples of 1/4, negative ones, 0 and −0 among them
+  columns,      ///< equal coordinates on two axes
+  nested        ///< each contains the next
 };
 
-inline constexpr std::array<Boxes, 12> all{Boxes::scattered, Boxes::grid,     Boxes::equal,
-                                           Boxes::points,    Boxes::one_huge, Boxes::on_a_line,
-                                           Boxes::touching,  Boxes::far,      Boxes::huge,
-                                           Boxes::tiny,      Boxes::clusters, Boxes::mixed_sizes};
+inline constexpr std::array<Boxes, 16> all{
+    Boxes::scattered, Boxes::grid,      Boxes::equal,    Boxes::points,
+    Boxes::one_huge,  Boxes::on_a_line, Boxes::touching, Boxes::far,
+    Boxes::huge,      Boxes::tiny,      Boxes::clusters, Boxes::mixed_sizes,
+    Boxes::rods,      Boxes::borders,   Boxes::columns,  Boxes::nested};
 
 inline constexpr std::string_view name(Boxes family) {
-  constexpr std::array<std::string_view, 12> names{
-      "scattered", "grid", "equal", "points", "one huge", "on a line",
-      "touching",  "far",  "huge",  "tiny",   "clusters", "mixed sizes"};
+  constexpr std::array<std::string_view, 16> names{
+      "scattered", "grid",    "equal",   "points", "one huge", "on a line",
+      "touching",  "far",     "huge",    "tiny",   "clusters", "mixed sizes",
+      "rods",      "borders", "columns", "nested"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -141,6 +147,29 @@ std::vector<contact::Aabb<S>> make(Random& random, Boxes family, int n) {
         boxes.push_back(box_at<S>(random, place<S>(random, side), size));
         break;
       }
+      case Boxes::rods: {
+        boxes.push_back(box_at<S>(random, place<S>(random, side), 0.25));
+        boxes.back().high(random.integer(0, 2)) += static_cast<S>(side);
+        break;
+      }
+      case Boxes::borders: {
+        const V low = whole_place<S>(random, 9) / S(4);
+        const V high = low + whole_place<S>(random, 3).cwiseAbs() / S(4);
+        const bool negative = random.chance(0.5);
+        // A face at 0 is at −0 for half of the boxes.
+        const auto signed_zero = [negative](S x) { return x == S(0) && negative ? -S(0) : x; };
+        boxes.push_back({low.unaryExpr(signed_zero), high.unaryExpr(signed_zero)});
+        break;
+      }
+      case Boxes::columns: {
+        V low = whole_place<S>(random, 1) * S(3);
+        low.z() = static_cast<S>(random.uniform(-side, side));
+        boxes.push_back({low, low + V::Ones()});
+        break;
+      }
+      case Boxes::nested:
+        boxes.push_back({V::Constant(S(i - n)), V::Constant(S(n - i))});
+        break;
     }
   }
   return boxes;

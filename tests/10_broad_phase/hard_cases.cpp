@@ -1,66 +1,47 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// All answers are rational in the stored numbers (class (a)). Pairs are right or wrong. An
-// enclosing box is right if it contains what it should; the answer is the tightest box of doubles,
-// and a box that is more than four ulps wider is wrong too.
+// All answers are rational in the stored numbers (class (a)). Pairs, cells and numbers are right or
+// wrong; a pair that is reported twice is wrong. In "periodic pairs" a box and its images at all
+// multiples of the period are one. An enclosing box is right if it contains what it should; the
+// answer is the tightest box of doubles, and a box that is more than four ulps wider is wrong too.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <contact/broad_phase_cost.hpp>
+#include <contact/regions.hpp>
 #include <cstdlib>
 #include <limits>
-#include <map>
 #include <tuple>
 #include <vector>
 
+#include "hard_boxes.hpp"
+#include "hard_periods.hpp"
+#include "hard_steps.hpp"
+
 using contact::BoxPair;
+using hard_boxes::as_json;
+using hard_boxes::Box;
+using hard_boxes::Boxes;
+using hard_boxes::pairs_by;
+using hard_boxes::read_boxes;
+using hard_boxes::V;
 using hard_cases::Case;
 using hard_cases::Json;
 using oracle::Rational;
 
 namespace {
 
-using Box = contact::Aabb<double>;
-using Boxes = std::vector<Box>;
-using V = contact::Vector3<double>;
-
-/// Six numbers for each box: low, then high.
-Boxes read_boxes(const Case& c) {
-  const std::vector<double> n = c.numbers("boxes");
-  Boxes boxes;
-  for (std::size_t k = 0; k + 6 <= n.size(); k += 6)
-    boxes.push_back({V(n[k], n[k + 1], n[k + 2]), V(n[k + 3], n[k + 4], n[k + 5])});
-  return boxes;
-}
-
-Json as_json(const std::vector<BoxPair>& pairs) {
-  Json list = Json::array();
-  for (const BoxPair& pair : pairs) list.push_back(Json::array({pair.a, pair.b}));
-  return list;
-}
-
-template <class Touch>
-std::vector<BoxPair> pairs_by(const Boxes& boxes, Touch touch) {
-  std::vector<BoxPair> pairs;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
-      if (touch(boxes[i], boxes[j])) pairs.push_back({i, j});
-    }
-  }
-  return pairs;
+/// Borders at 0, ±1, … ±4 m on each axis.
+contact::Regions<double> whole_regions() {
+  std::vector<double> borders;
+  for (int i = -4; i <= 4; ++i) borders.push_back(i);
+  return contact::Regions<double>({borders, borders, borders});
 }
 
 void add_pairs(hard_cases::Runner& runner) {
   runner.question("pairs", [](const Case& c) {
-    const auto pairs = pairs_by(read_boxes(c), [](const Box& a, const Box& b) {
-      for (int k = 0; k < 3; ++k) {
-        if (std::max(oracle::exact(a.low(k)), oracle::exact(b.low(k))) >
-            std::min(oracle::exact(a.high(k)), oracle::exact(b.high(k))))
-          return false;
-      }
-      return true;
-    });
+    const auto pairs = pairs_by(hard_boxes::stored_boxes(c), hard_boxes::touch_exactly);
     return Json{{"class", "a"}, {"pairs", as_json(pairs)}};
   });
   const auto method = [&runner](const char* name, auto find) {
@@ -131,13 +112,27 @@ void add_pairs(hard_cases::Runner& runner) {
     std::sort(pairs.begin(), pairs.end());
     return pairs;
   });
+  method("cells of 1 m, a half-open range", hard_boxes::half_open_ranges);
+  method("cells of 1 m, 32-bit numbers", hard_boxes::cells_of_32_bits);
+  method("cells of 1 m, converted to int", hard_boxes::around_truncated_middle);
+  method("reported in each common cell", hard_boxes::reported_in_each_cell);
+  method("a sweep that stops at a miss", hard_boxes::stop_at_first_miss);
+  method("a sweep over the middles", hard_boxes::sorted_by_middles);
+  method("within 1e-6 m", hard_boxes::within_a_margin);
+  method("a common volume", hard_boxes::with_common_volume);
+  method("one region each", [](const Boxes& boxes) {
+    return contact::pairs_of_one_region_each<double>(boxes, whole_regions()).pairs;
+  });
+  method("book: regions", [](const Boxes& boxes) {
+    return contact::region_pairs<double>(boxes, whole_regions()).pairs;
+  });
   using Method = contact::BroadPhase;
   const std::vector<std::pair<const char*, Method>> book{{"book: all pairs", Method::all_pairs},
                                                          {"book: grid", Method::grid},
                                                          {"book: sweep", Method::sweep},
                                                          {"book: tree", Method::tree}};
   for (const auto& [name, which] : book) {
-    method(name, [which](const Boxes& boxes) {
+    method(name, [which = which](const Boxes& boxes) {
       return contact::touching_pairs<double>(boxes, which).pairs;
     });
   }
@@ -251,6 +246,11 @@ void add_cost(hard_cases::Runner& runner) {
 int main(int argc, char** argv) {
   hard_cases::Runner runner("10_broad_phase");
   add_pairs(runner);
+  hard_periods::ask_pairs(runner);
+  hard_periods::ask_cells(runner);
+  hard_periods::ask_neighbours(runner);
+  hard_steps::ask_steps(runner);
+  hard_steps::ask_throughout(runner);
   add_enclosure(runner);
   add_cost(runner);
   return runner.run(argc, argv);

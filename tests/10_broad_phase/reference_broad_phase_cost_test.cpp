@@ -232,3 +232,13 @@ TEST_CASE("the cheapest method by the model is almost as cheap as the cheapest b
     }
   }
 }
+
+TEST_CASE("the bound of a grid counts what is no box with all") {
+  const std::vector<Aabb<double>> boxes{
+      {Vector3<double>::Zero(), Vector3<double>::Ones()},
+      {Vector3<double>::Constant(100), Vector3<double>::Constant(99)}};
+  contact::PairGrid<double> grid;
+  grid.cell_edge = 4;
+  CHECK(contact::grid_pairs<double>(boxes, grid).box_tests == 1);
+  CHECK(contact::max_grid_tests<double>(boxes, grid) == 1);
+}

@@ -33,6 +33,34 @@ struct BoxHierarchy {
 };
 // [/box-node]
 
+// [refit-box-tree]
+/// Recomputes the boxes of a tree whose items have moved; its structure stays. From the last node
+/// to the first: children follow their parent, so their boxes are ready when it needs them.
+///
+/// Each node's box is then the smallest one of the items below, as after building. So queries find
+/// the same items; but the longer the items have moved, the more boxes overlap, and the more nodes
+/// a query visits: hierarchy_cost() estimates it.
+/// @param boxes of all items, by their numbers
+template <FloatOrDouble S>
+void refit_box_hierarchy(BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxes) {
+  for (std::size_t n = tree.nodes.size(); n-- > 0;) {
+    BoxNode<S>& node = tree.nodes[n];
+    const auto first = static_cast<std::size_t>(node.first);
+    if (node.count == 0) {
+      node.box = enclosing_box(tree.nodes[first].box, tree.nodes[first + 1].box);
+      continue;
+    }
+    const auto box_at = [&](std::size_t i) -> const Aabb<S>& {
+      return boxes[static_cast<std::size_t>(tree.order[i])];
+    };
+    node.box = box_at(first);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(node.count); ++i) {
+      node.box = enclosing_box(node.box, box_at(first + i));
+    }
+  }
+}
+// [/refit-box-tree]
+
 namespace detail {
 
 /// The longest path from the root to a leaf is less than this.
@@ -79,7 +107,7 @@ class BoxTreeBuilder {
     tree_.nodes.reserve(items.size());
     tree_.nodes.push_back({});
     build(0, 0, items.size(), 0);
-    enclose(boxes);
+    refit_box_hierarchy(tree_, boxes);
   }
 
   BoxHierarchy<S> take() { return std::move(tree_); }
@@ -239,25 +267,6 @@ class BoxTreeBuilder {
     tree_.nodes[node].first = static_cast<int>(begin);
     tree_.nodes[node].count = count;
   }
-
-  /// The boxes of the nodes, from the last to the first: children follow their parent.
-  void enclose(std::span<const Aabb<S>> boxes) {
-    for (std::size_t n = tree_.nodes.size(); n-- > 0;) {
-      BoxNode<S>& node = tree_.nodes[n];
-      const auto first = static_cast<std::size_t>(node.first);
-      if (node.count == 0) {
-        node.box = enclosing_box(tree_.nodes[first].box, tree_.nodes[first + 1].box);
-        continue;
-      }
-      const auto box_at = [&](std::size_t i) -> const Aabb<S>& {
-        return boxes[static_cast<std::size_t>(tree_.order[i])];
-      };
-      node.box = box_at(first);
-      for (std::size_t i = 1; i < static_cast<std::size_t>(node.count); ++i) {
-        node.box = enclosing_box(node.box, box_at(first + i));
-      }
-    }
-  }
 };
 
 }  // namespace detail
@@ -268,7 +277,7 @@ class BoxTreeBuilder {
 ///
 /// O(n log n) for all practical input; the depth is at most 96 for every input.
 /// @param boxes made by the functions of aabb.hpp, finite
-/// @param items which of the boxes: their numbers
+/// @param items which of the boxes: their numbers, at most 2^30
 /// @param max_leaf the most items of a leaf, at least 1
 ///
 /// Source: Wald, *On Fast Construction of SAH-based Bounding Volume Hierarchies*, 2007.
@@ -278,6 +287,48 @@ BoxHierarchy<S> build_box_hierarchy(std::span<const Aabb<S>> boxes, std::span<co
   return detail::BoxTreeBuilder<S>(boxes, items, max_leaf).take();
 }
 // [/build-box-tree]
+
+// [hierarchy-cost]
+/// How many nodes below the root a cube is expected to meet, rounded, if its centre is uniformly
+/// distributed where it meets the root's box. After refitting, compare it with its value when the
+/// tree was built.
+///
+/// A cube with the half edge t meets a box if its centre is in the box extended by t on all sides.
+/// So of a node with half edges h in a root with half edges H the probability is the product of
+/// (h + t) / (H + t) over the axes. Only quotients count, so it is the same at every scale. The
+/// cube is as large as the items on average, and a little more, so that the cost of points on a
+/// line or in a plane depends on their order too: t is the mean of all h of the items, plus the sum
+/// of the H divided by the number of items.
+/// @param boxes of all items, by their numbers, finite, in those of the nodes
+/// @return from 0 to the number of nodes; 0 if the root's box is a point, or smaller than numbers
+/// can be halved
+template <FloatOrDouble S>
+double hierarchy_cost(const BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxes) {
+  if (tree.nodes.empty()) return 0;
+  // Halves do not overflow, and in units of the root's longest one none exceeds 1.
+  const auto halves = [](const Aabb<S>& box) -> Vector3<double> {
+    return box.high.template cast<double>() / 2 - box.low.template cast<double>() / 2;
+  };
+  const Vector3<double> root = halves(tree.nodes[0].box);
+  const double unit = root.maxCoeff();
+  if (!(unit > 0)) return 0;
+  double sum = 0;
+  for (const int item : tree.order) {
+    const Vector3<double> half = halves(boxes[static_cast<std::size_t>(item)]) / unit;
+    sum += (half[0] + half[1] + half[2]) / 3;
+  }
+  sum += (root[0] + root[1] + root[2]) / unit;
+  const double t = sum / static_cast<double>(tree.order.size());
+  const auto extended = [&](const Vector3<double>& half) {
+    return (half[0] / unit + t) * (half[1] / unit + t) * (half[2] / unit + t);
+  };
+  const double whole = extended(root);
+  double cost = 0;
+  for (std::size_t n = 1; n < tree.nodes.size(); ++n)
+    cost += extended(halves(tree.nodes[n].box)) / whole;
+  return cost;
+}
+// [/hierarchy-cost]
 
 // [visit-tree]
 /// Calls visit(position) for each position of the order in each leaf whose box, and all boxes above

@@ -3,6 +3,7 @@
 import { button, html, symbol } from "./dom.ts";
 import type { Control } from "./figure.ts";
 import type { Fields } from "./layout.ts";
+import { measure } from "./measure.ts";
 import type { FigureModel } from "./model.ts";
 
 type AnyControl = Control<Fields>;
@@ -26,6 +27,7 @@ export function makeControls(model: FigureModel): ControlsPart {
   for (const control of controls) {
     if (control.kind === "choice") element.append(choice(control, model, refreshers));
     else if (control.kind === "states") element.append(states(control, model));
+    else if (control.kind === "measure") element.append(measurer(control, model));
     else if (model.size(control.field) === 1) element.append(row(control, model, refreshers));
   }
   const groups = new Map<string, Kind<"numbers">[]>();
@@ -157,6 +159,25 @@ function states(control: Kind<"states">, model: FigureModel): HTMLElement {
     name,
     ...buttons,
   );
+}
+
+/** Starts measuring, or stops it. */
+function measurer(control: Kind<"measure">, model: FigureModel): HTMLElement {
+  let running: AbortController | undefined;
+  const stop = (): void => {
+    running?.abort();
+    running = undefined;
+    toggle.textContent = control.label;
+  };
+  const start = async (): Promise<void> => {
+    const mine = new AbortController();
+    running = mine;
+    toggle.textContent = "Stop";
+    await measure(control, model, () => mine.signal.aborted || !toggle.isConnected);
+    if (running === mine) stop();
+  };
+  const toggle = button(control.label, () => (running ? stop() : void start()));
+  return html("div", { class: "row states" }, toggle);
 }
 
 /** Plays a slider from where it is to its end. Where motion is unwelcome there is no such button. */

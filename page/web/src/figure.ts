@@ -108,6 +108,19 @@ export type Control<Input> =
       readonly options: readonly { readonly value: number; readonly label: string }[];
     }
   | {
+      /** A button that measures times in the page, each by a call of the C++ that is timed. */
+      readonly kind: "measure";
+      /** An array: the times in ms, of one repeat. 0: not measured. */
+      readonly field: keyof Input & string;
+      readonly label: string;
+      /** The field that is 1 + i in the call that is timed for time i, otherwise 0. */
+      readonly run: keyof Input & string;
+      /** The output of such a call that says how often it repeated what is timed. */
+      readonly repeats: string;
+      /** The field that gets the output of that name: the setting that the times belong to. */
+      readonly setting: { readonly field: keyof Input & string; readonly output: string };
+    }
+  | {
       /** Buttons that put the figure into states worth seeing; what they leave out stays. */
       readonly kind: "states";
       readonly label: string;

@@ -81,7 +81,9 @@ function checkFields(figure: AnyFigure, layout: Layout): void {
   const used = [...figure.handles, ...figure.controls].flatMap((one) =>
     one.kind === "states"
       ? one.options.flatMap(({ fields }: { fields: Fields }) => Object.keys(fields))
-      : [one.field],
+      : one.kind === "measure"
+        ? [one.field, one.run, one.setting.field]
+        : [one.field],
   );
   for (const name of [...Object.keys(figure.initial), ...used])
     if (!known.has(name)) throw new Error(`the C++ has no input ${name}`);
