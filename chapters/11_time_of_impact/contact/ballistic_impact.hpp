@@ -100,8 +100,8 @@ std::optional<S> fall_time(const FallTerms<Exact>& f) {
 /// Relative error at most 8 u for times from 2^-500 s to 2^500 s in double (2^-60 s to 2^60 s in
 /// float)
 template <std::floating_point S>
-std::optional<S> ballistic_sphere_plane(const Sphere<S>& sphere, const Vector3<S>& velocity,
-                                        const Vector3<S>& gravity, const Plane<S>& plane) {
+std::optional<S> ballistic_impact(const Sphere<S>& sphere, const Vector3<S>& velocity,
+                                  const Vector3<S>& gravity, const Plane<S>& plane) {
   const Vector3<Exact> normal = exact_vector(plane.normal);
   const detail::FallTerms<Exact> terms{
       normal.dot(exact_vector(sphere.centre)) - Exact(double(plane.offset)) -
@@ -112,5 +112,12 @@ std::optional<S> ballistic_sphere_plane(const Sphere<S>& sphere, const Vector3<S
   return time;
 }
 // [/ballistic-impact]
+
+/// The former name of ballistic_impact().
+template <std::floating_point S>
+std::optional<S> ballistic_sphere_plane(const Sphere<S>& sphere, const Vector3<S>& velocity,
+                                        const Vector3<S>& gravity, const Plane<S>& plane) {
+  return ballistic_impact(sphere, velocity, gravity, plane);
+}
 
 }  // namespace contact

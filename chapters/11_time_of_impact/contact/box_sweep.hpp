@@ -290,7 +290,7 @@ inline Vector3<double> impact_normal(const Vector3<double>& axis, double distanc
 
 }  // namespace detail
 
-// [box-sweep]
+// [box-impact]
 /// The time at which two translating boxes first touch in a step.
 ///
 /// Only the relative motion matters. On each of the fifteen axes the projections overlap during an
@@ -304,8 +304,8 @@ inline Vector3<double> impact_normal(const Vector3<double>& axis, double distanc
 /// is that of one of them
 /// @see Gottschalk, Lin and Manocha, *OBBTree*, SIGGRAPH 1996, for the axes; Eberly, *Dynamic
 /// Collision Detection Using Oriented Bounding Boxes*, 1999, for the sweep
-inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& a,
-                                                  const TranslatingBox<double>& b) {
+inline std::optional<BoxImpact<double>> box_impact(const TranslatingBox<double>& a,
+                                                   const TranslatingBox<double>& b) {
   const detail::SweptPair<double> rounded = detail::rounded_pair(a, b);
   const detail::RoundedSweep sweep = detail::rounded_sweep(rounded);
   if (sweep.answer == detail::RoundedSweep::Answer::miss) return std::nullopt;
@@ -333,9 +333,9 @@ inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& 
   return BoxImpact<double>{quotient<double>(touch->t.numerator, touch->t.denominator),
                            detail::impact_normal(direction, double(side), 0, 0)};
 }
-// [/box-sweep]
+// [/box-impact]
 
-// [aabb-sweep]
+// [aabb-impact]
 /// The time at which two translating axis-aligned boxes first touch in a step: three axes in place
 /// of fifteen.
 /// @param a, b at the start, made by the functions of contact/aabb.hpp; a may be flat or a point
@@ -343,8 +343,8 @@ inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& 
 /// @return t from 0 to 1, 0 if they meet at the start; nothing if they do not touch in the step.
 /// The decision is right for every finite input; t is rounded once
 template <std::floating_point S>
-std::optional<S> aabb_sweep(const Aabb<S>& a, const Vector3<S>& displacement_a, const Aabb<S>& b,
-                            const Vector3<S>& displacement_b) {
+std::optional<S> aabb_impact(const Aabb<S>& a, const Vector3<S>& displacement_a, const Aabb<S>& b,
+                             const Vector3<S>& displacement_b) {
   detail::SweepTime begin{Exact(), Exact(1.0)};
   detail::SweepTime end{Exact(1.0), Exact(1.0)};
   for (int k = 0; k < 3; ++k) {
@@ -366,6 +366,18 @@ std::optional<S> aabb_sweep(const Aabb<S>& a, const Vector3<S>& displacement_a, 
   }
   return quotient<S>(begin.numerator, begin.denominator);
 }
-// [/aabb-sweep]
+// [/aabb-impact]
+
+/// The former name of box_impact().
+inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& a,
+                                                  const TranslatingBox<double>& b) {
+  return box_impact(a, b);
+}
+/// The former name of aabb_impact().
+template <std::floating_point S>
+std::optional<S> aabb_sweep(const Aabb<S>& a, const Vector3<S>& displacement_a, const Aabb<S>& b,
+                            const Vector3<S>& displacement_b) {
+  return aabb_impact(a, displacement_a, b, displacement_b);
+}
 
 }  // namespace contact

@@ -1,0 +1,90 @@
+/// @file
+/// Rolling back to the previous free state: the end of the last slice without an overlap, and what
+/// that does to a body at rest.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <contact/invalid_argument.hpp>
+#include <contact/sliced_steps.hpp>
+
+namespace contact {
+
+/// The state to which a body is put back.
+template <std::floating_point S>
+struct PreviousFreeState {
+  S t = S(0);        ///< fraction of the step; the end of the step if no overlap was found
+  bool hit = false;  ///< whether an overlap was found, so that the body is put back
+};
+
+// [previous-free-state]
+/// The end of the last slice before the first at whose end the bodies touch or overlap.
+///
+/// It is free, and at most one slice too early. It is also all that is known: the contact point is
+/// not. If the bodies touch or overlap at the start, there is no free state, and t is 0.
+/// @warning Misses what sliced_step() misses.
+/// @param overlap overlap(t): whether the bodies touch or overlap at the fraction t of the step
+/// @param slices at least 1
+/// @throws std::invalid_argument if slices is less than 1
+/// @see *Fundamentals of Computer Animation*, slide "How About 2 MOVING spheres?": "take the
+/// previous position as the intersection point"
+template <std::floating_point S, std::predicate<S> Overlap>
+PreviousFreeState<S> previous_free_state(const Overlap& overlap, int slices) {
+  const auto bracket = sliced_step<S>(overlap, S(1), slices);
+  if (!bracket) return {S(1), false};
+  return {bracket->free, true};
+}
+// [/previous-free-state]
+
+/// A body that falls towards a floor and is put back to the previous free state.
+template <std::floating_point S>
+struct RestingFall {
+  S gap = S(0);       ///< above the floor at the start, m, greater than 0
+  S velocity = S(0);  ///< at the start, m per step, upwards
+  S gravity = S(0);   ///< downwards, m per step², not negative
+};
+
+// [resting-body]
+/// The gap above the floor after each of a number of steps, if an overlap puts the body back to the
+/// previous free state and sets its velocity to 0.
+///
+/// A body that has been put back never gets closer: it starts the next step at rest with the gap g
+/// and moves down by gravity alone, by a in one step, so in k of n slices by a k/n. Either a ≥ g:
+/// then the last slices overlap, it is put back to the last free one, and its gap becomes g − a
+/// k/n with the largest k for which that is positive, at most a/n. From there, if g ≤ a/n, the
+/// first slice already overlaps, and the gap stays as it is in all later steps. So it rests at a
+/// distance of up to a slice's displacement from the floor: it hovers.
+/// @param fall finite; gap greater than 0, gravity not negative
+/// @param slices, steps at least 1
+/// @return m, `steps` numbers, all greater than 0
+/// @throws std::invalid_argument if an argument does not satisfy these conditions
+template <std::floating_point S>
+std::vector<S> gaps_of_previous_free_state(const RestingFall<S>& fall, int slices, int steps) {
+  require_finite("fall.velocity", fall.velocity);
+  require_finite("fall.gravity", fall.gravity);
+  require_finite("fall.gap", fall.gap);
+  if (!(fall.gap > S(0)))
+    throw_invalid_argument("fall.gap", number_text(fall.gap), "must exceed 0");
+  if (fall.gravity < S(0))
+    throw_invalid_argument("fall.gravity", number_text(fall.gravity), "must not be negative");
+  if (steps < 1) throw_invalid_argument("steps", std::to_string(steps), "must be at least 1");
+  std::vector<S> gaps;
+  gaps.reserve(static_cast<std::size_t>(steps));
+  S gap = fall.gap;
+  S velocity = fall.velocity;
+  for (int k = 0; k < steps; ++k) {
+    velocity -= fall.gravity;  // velocity first, then position: semi-implicit Euler
+    const auto gap_at = [&](S t) { return gap + velocity * t; };
+    const auto state = previous_free_state<S>([&](S t) { return !(gap_at(t) > S(0)); }, slices);
+    gap = gap_at(state.t);
+    if (state.hit) velocity = S(0);
+    gaps.push_back(gap);
+  }
+  return gaps;
+}
+// [/resting-body]
+
+}  // namespace contact

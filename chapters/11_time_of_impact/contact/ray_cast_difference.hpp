@@ -1,0 +1,272 @@
+/// @file
+/// A ray cast at the Minkowski difference of two convex bodies by GJK, rounded: candidates for the
+/// time of impact, its normal and the vertices that meet.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+
+#include <contact/certificates.hpp>
+#include <contact/gjk_cores.hpp>
+#include <contact/gjk_simplex.hpp>
+#include <contact/impact_proof.hpp>
+#include <contact/outward.hpp>
+#include <contact/running_error.hpp>
+#include <contact/support.hpp>
+#include <contact/support_bounds.hpp>
+#include <contact/vector.hpp>
+
+namespace contact::detail {
+
+/// What a ray cast has found; nothing of it is proved.
+struct CastCandidate {
+  enum class End {
+    unsure,  ///< nothing is known
+    passes,  ///< the plane separates the bodies throughout the step
+    meets    ///< they meet at about t
+  } end = End::unsure;
+  double t = 0;                                      ///< fraction of the step
+  Vector3<double> normal = Vector3<double>::Zero();  ///< of the last plane; 0: none separated them
+};
+
+// [ray-cast]
+/// A GJK ray cast, rounded.
+///
+/// Relative to B, A translates by w. They meet when the difference A − B, translated by t w, has
+/// the origin within the sum of the radii of its core. Each step takes the difference d farthest
+/// towards the origin along the direction v from B to A. If v · (d + t w) > r |v|, a plane
+/// perpendicular to v separates them, until it has closed: t advances to that time, which is not
+/// after the impact. Then d joins the simplex, and v becomes the point of the simplex, moved to the
+/// time t, that is closest to the origin. For polytopes the last plane is that of the face or the
+/// edges that meet, and t is the time of impact up to rounding; with a radius it is Newton's method
+/// from the left on a convex function.
+///
+/// Source: van den Bergen, *Ray Casting against General Convex Objects with Application to
+/// Continuous Collision Detection* (2004).
+template <PolytopeCore A, PolytopeCore B>
+class RayCast {
+ public:
+  /// @param w relative displacement, m; rounded
+  RayCast(const A& a, const B& b, const Vector3<double>& w)
+      : a_(a), b_(b), w_(w), radius_(radius_of(a) + radius_of(b)) {
+    direction_ = inner_point(a) - inner_point(b);
+  }
+
+  /// Casts from the time 0.
+  CastCandidate cast() {
+    CastCandidate found;
+    for (int i = 0; i < max_steps; ++i) {
+      const Vector3<double>& v = direction_;
+      const double squared = dot3(v, v);
+      const double length = std::sqrt(squared);
+      if (!(length > size_ * 0x1p-46)) return ended(found, size_ > 0);
+      const int p = a_.farthest(Vector3<double>(-v)), q = b_.farthest(v);
+      const Vector3<double> d = difference(p, q);
+      const double along = dot3(v, d) + found.t * dot3(v, w_);
+      size_ = std::max({size_, d.cwiseAbs().maxCoeff(), (d + w_ * found.t).cwiseAbs().maxCoeff()});
+      if (!(size_ < 0x1p150)) return {};
+      const double gap = along - radius_ * length;
+      bool advanced = false;
+      if (gap > 0) {
+        const double closing = -dot3(v, w_);
+        const double t = found.t + gap / closing;
+        if (!(closing > 0) || t > 1) {
+          found.normal = closing < 0 && found.t > 0 ? at_rest(found.normal, v) : v;
+          found.end = CastCandidate::End::passes;
+          return found;
+        }
+        advanced = t > found.t;
+        if (advanced) {
+          found.t = t;
+          found.normal = v;
+        }
+      }
+      const bool known = has(p, q);
+      if (known && !advanced) return ended(found, true);
+      if (!known && count_ < 4) append(p, q, d);
+      solve(found.t);
+      if (inside_) return ended(found, true);
+    }
+    return found;
+  }
+
+  /// Looks for vertices that prove a meeting at the time t, from the simplex of the last search.
+  /// @return without vertices if it finds none
+  CommonPointInMotion meeting_at(double t) {
+    if (count_ == 0) {
+      const int p = a_.farthest(Vector3<double>(-direction_)), q = b_.farthest(direction_);
+      append(p, q, difference(p, q));
+    }
+    for (int i = 0; i < max_steps; ++i) {
+      solve(t);
+      const double squared = dot3(direction_, direction_);
+      if (inside_ || squared < radius_ * radius_ * (1 - 0x1p-40)) return vertices_at(t);
+      const int p = a_.farthest(Vector3<double>(-direction_)), q = b_.farthest(direction_);
+      if (count_ == 4 || has(p, q)) break;
+      append(p, q, difference(p, q));
+    }
+    return {};
+  }
+
+ private:
+  static constexpr int max_steps = 64;
+  gjk_detail::GjkCore<A> a_;
+  gjk_detail::GjkCore<B> b_;
+  Vector3<double> w_;
+  double radius_;
+  Vector3<double> direction_;  // from B to A
+  FourPoints<double> d_;       // the simplex, at the start of the step
+  std::array<int, 4> of_a_{}, of_b_{};
+  int count_ = 0;
+  bool inside_ = false;  // whether the simplex has the origin, up to rounding
+  double size_ = 0;      // the largest coordinate of a difference
+
+  static CastCandidate ended(CastCandidate found, bool known) {
+    if (known) found.end = CastCandidate::End::meets;
+    return found;
+  }
+  Vector3<double> difference(int p, int q) const {
+    return (a_.base(p) - b_.base(q)) + (a_.offset(p) - b_.offset(q));
+  }
+  bool has(int p, int q) const {
+    for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+      if (of_a_[i] == p && of_b_[i] == q) return true;
+    }
+    return false;
+  }
+  void append(int p, int q, const Vector3<double>& d) {
+    const auto at = std::size_t(count_++);
+    of_a_[at] = p;
+    of_b_[at] = q;
+    d_[at] = d;
+  }
+  /// A plane that separates the bodies at all times, from one that closes at t and one that opens
+  /// and separates them at t: the positive combination whose separation does not change.
+  ///
+  /// The separation along n is a concave function of n, so that of x n + y m is at least x times
+  /// that along n and y times that along m; at t the first is 0 and the second is not.
+  Vector3<double> at_rest(const Vector3<double>& closing, const Vector3<double>& opening) const {
+    return closing * dot3(opening, w_) - opening * dot3(closing, w_);
+  }
+  /// The point of the simplex closest to the origin at the time t; leaves the vertices of its face.
+  void solve(double t) {
+    FourPoints<double> moved;
+    moved.fill(Vector3<double>::Zero());
+    for (std::size_t i = 0; i < std::size_t(count_); ++i) moved[i] = d_[i] + w_ * t;
+    const SimplexPoint<double> closest = closest_of_simplex(moved, count_);
+    direction_ = closest.point;
+    inside_ = closest.face == 15U || direction_ == Vector3<double>::Zero();
+    int kept = 0;
+    for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+      if ((closest.face >> i & 1U) == 0) continue;
+      const auto at = std::size_t(kept++);
+      d_[at] = d_[i];
+      of_a_[at] = of_a_[i];
+      of_b_[at] = of_b_[i];
+    }
+    count_ = kept;
+  }
+  CommonPointInMotion vertices_at(double t) const {
+    CommonPointInMotion common{count_, of_a_, of_b_, {}};
+    common.times.fill(t);
+    return common;
+  }
+};
+// [/ray-cast]
+
+/// Vertex i of a core, in a number type with + − ×.
+template <class T, PolytopeCore Body>
+Triple<T> vertex_in(const Body& body, int i) {
+  using S = ScalarOf<Body>;
+  const auto plus = [](const Triple<T>& x, const Triple<T>& y) {
+    return Triple<T>{x[0] + y[0], x[1] + y[1], x[2] + y[2]};
+  };
+  if constexpr (std::same_as<Body, OrientedBox<S>>) {
+    Triple<T> corner = triple<T>(body.centre);
+    for (int k = 0; k < 3; ++k) {
+      const T half((i >> k & 1) != 0 ? body.half_lengths(k) : -body.half_lengths(k));
+      const Triple<T> axis = triple<T>(body.axes.col(k));
+      corner = plus(corner, {axis[0] * half, axis[1] * half, axis[2] * half});
+    }
+    return corner;
+  } else if constexpr (std::same_as<Body, Lozenge<S>>) {
+    Triple<T> corner = triple<T>(body.corner);
+    if ((i & 1) != 0) corner = plus(corner, triple<T>(body.first_edge));
+    if ((i & 2) != 0) corner = plus(corner, triple<T>(body.second_edge));
+    return corner;
+  } else {
+    return triple<T>(vertex(body, i));
+  }
+}
+
+// [certainly-meet]
+/// Whether differences at one time certainly prove a meeting, by running error bounds: false means
+/// nothing.
+///
+/// One to three with a mean closer to the origin than the sum of the radii, with the weights of the
+/// rounded closest point; or four that surround the origin, whose four determinants have the same
+/// sign.
+template <PolytopeCore A, PolytopeCore B>
+bool certainly_meet(const CommonPointInMotion& common, const A& a,
+                    const Vector3<double>& displacement_a, const B& b,
+                    const Vector3<double>& displacement_b) {
+  using T = RunningError;
+  const Triple<T> w = minus(triple<T>(displacement_a), triple<T>(displacement_b));
+  std::array<Triple<T>, 4> d;
+  FourPoints<double> rounded;
+  rounded.fill(Vector3<double>::Zero());
+  const auto count = std::size_t(common.count);
+  for (std::size_t i = 0; i < count; ++i) {
+    d[i] = minus(vertex_in<T>(a, common.of_a[i]), vertex_in<T>(b, common.of_b[i]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      d[i][k] = d[i][k] + w[k] * T(common.times[i]);
+      rounded[i](int(k)) = d[i][k].value;
+    }
+  }
+  if (count == 0) return false;
+  const double radius = sum_down(radius_of(a), radius_of(b));
+  const auto weights = closest_of_simplex(rounded, common.count).weights;
+  Triple<T> mean;
+  T whole;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) mean[k] = mean[k] + d[i][k] * T(weights[i]);
+    whole = whole + T(weights[i]);
+  }
+  const T reach = whole * T(radius);
+  if ((reach * reach - dot(mean, mean)).certain_sign() > 0) return true;
+  if (count != 4) return false;
+  const auto volume = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return dot(d[i], cross(d[j], d[k])).certain_sign();
+  };
+  const int sign = volume(1, 2, 3);
+  return sign != 0 && volume(0, 2, 3) == -sign && volume(0, 1, 3) == sign &&
+         volume(0, 1, 2) == -sign;
+}
+// [/certainly-meet]
+
+// [closes-not-before]
+/// A time before which a plane perpendicular to n separates the bodies for certain: the separation
+/// at the start, rounded down, by what it loses in the step, rounded up.
+/// @return fraction of the step, not below 0; ∞ if it separates them throughout
+template <PolytopeCore A, PolytopeCore B>
+double closes_not_before(const Vector3<double>& n, const A& a,
+                         const Vector3<double>& displacement_a, const B& b,
+                         const Vector3<double>& displacement_b) {
+  const double in_front = support_up(a, Vector3<double>(-n)), behind = support_up(b, n);
+  if (!(std::isfinite(in_front) && std::isfinite(behind))) return 0;
+  const double separation = -sum_up(in_front, behind);
+  if (!(separation > 0)) return 0;
+  using T = RunningError;
+  const T closing = dot(triple<T>(n), minus(triple<T>(displacement_b), triple<T>(displacement_a)));
+  const double most = sum_up(closing.value, closing.bound);
+  if (most <= 0) return std::numeric_limits<double>::infinity();
+  const double t = separation / most;
+  return t > 0 ? std::nextafter(t, 0) : 0;  // 0 also for NaN
+}
+// [/closes-not-before]
+
+}  // namespace contact::detail
