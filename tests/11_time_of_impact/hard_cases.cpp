@@ -1,8 +1,10 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// Decisions and times of boxes are rational in the stored numbers (class (a)). Times of balls have
-// one square root (class (b)). A decision is right or wrong. A time may have a relative error of
-// 2^-40, that of boxes an error of 2^-40 of the step.
+// Decisions and times of boxes and planes are rational in the stored numbers (class (a)). Times of
+// balls have one square root (class (b)), those of moving vertices and edges are roots of a
+// polynomial, that of a turning rod has an arcsine (class (c)). A decision is right or wrong. A
+// time may have a relative error of 2^-40, that of boxes an error of 2^-40 of the step; a method
+// that gives bounds is right if they contain the time.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -17,6 +19,8 @@
 #include <vector>
 
 #include "boxes.hpp"
+#include "hard_moving.hpp"
+#include "hard_steps.hpp"
 
 using hard_cases::Case;
 using hard_cases::Json;
@@ -338,5 +342,11 @@ int main(int argc, char** argv) {
   add_fall(runner);
   add_boxes(runner);
   add_capsule(runner);
+  hard_steps::add_plane(runner);
+  hard_steps::add_balls(runner);
+  hard_steps::add_corner(runner);
+  hard_steps::add_rod(runner);
+  hard_moving::add(runner, "vertex-face", false);
+  hard_moving::add(runner, "edge-edge", true);
   return runner.run(argc, argv);
 }
