@@ -10,14 +10,14 @@
 #include <cstddef>
 #include <limits>
 
-#include <contact/certificates.hpp>
+#include <contact/bounded_differences.hpp>
 #include <contact/gjk_cores.hpp>
 #include <contact/gjk_simplex.hpp>
 #include <contact/impact_proof.hpp>
 #include <contact/outward.hpp>
 #include <contact/running_error.hpp>
 #include <contact/support.hpp>
-#include <contact/support_bounds.hpp>
+#include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact::detail {
@@ -248,18 +248,69 @@ bool certainly_meet(const CommonPointInMotion& common, const A& a,
 }
 // [/certainly-meet]
 
+// [projected-bounds]
+/// Bounds of n · (x − c) over the core of a body.
+struct ProjectedBounds {
+  double low = std::numeric_limits<double>::infinity();    ///< at most the least
+  double high = -std::numeric_limits<double>::infinity();  ///< at least the largest
+};
+
+/// The bounds for an n whose largest entry is from 1 to 2, and a c close to the body.
+///
+/// Let E be the absolute terms of the offsets. A term of n · ((position − c) + offset) has one
+/// rounding for the difference, or three for the offset; one for their sum, one for the product and
+/// two for the sum of three: at most seven, of terms of at most |n| · (|position − c| + E). That
+/// sum is rounded as often, so γ(16) of it is more. A product that underflows is off by at most
+/// half the smallest number, times 2: 2^-1000 covers all.
+template <PolytopeCore Body>
+ProjectedBounds projected_bounds(const Body& body, const Vector3<double>& n,
+                                 const Vector3<double>& c) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ProjectedBounds bounds;
+  const double offsets = offset_size(body);
+  for (int i = 0; i < vertex_count(body); ++i) {
+    const PositionAndOffset v = vertex_from_position(body, i);
+    const Vector3<double> from = v.position - c;
+    const Vector3<double> d = from + v.offset;
+    const double size = std::abs(n[0]) * (std::abs(from[0]) + offsets) +
+                        std::abs(n[1]) * (std::abs(from[1]) + offsets) +
+                        std::abs(n[2]) * (std::abs(from[2]) + offsets);
+    const double room = tolerance::gamma<double>(16) * size + 0x1p-1000;
+    const double along = dot3(n, d);
+    bounds.low = std::min(bounds.low, along - room);
+    bounds.high = std::max(bounds.high, along + room);
+    if (!std::isfinite(along + room)) return {-infinity, infinity};
+  }
+  return bounds;
+}
+// [/projected-bounds]
+
+/// v times a power of two, so that its largest entry is from 1 to 2; 0 if it is 0 or not finite.
+inline Vector3<double> near_one(const Vector3<double>& v) {
+  const double largest = v.cwiseAbs().maxCoeff();
+  if (!(largest > 0) || !std::isfinite(largest)) return Vector3<double>::Zero();
+  const int power = -std::ilogb(largest);
+  return {std::ldexp(v.x(), power), std::ldexp(v.y(), power), std::ldexp(v.z(), power)};
+}
+
 // [closes-not-before]
 /// A time before which a plane perpendicular to n separates the bodies for certain: the separation
 /// at the start, rounded down, by what it loses in the step, rounded up.
+///
+/// Positions are taken relative to a vertex of A, so bodies far from the origin lose no digits.
+/// The radii take r |n|, at most five roundings and with (1 + 8 u) an upper bound.
+/// @param n largest entry from 1 to 2
 /// @return fraction of the step, not below 0; ∞ if it separates them throughout
 template <PolytopeCore A, PolytopeCore B>
 double closes_not_before(const Vector3<double>& n, const A& a,
                          const Vector3<double>& displacement_a, const B& b,
                          const Vector3<double>& displacement_b) {
-  const double in_front = support_up(a, Vector3<double>(-n)), behind = support_up(b, n);
-  if (!(std::isfinite(in_front) && std::isfinite(behind))) return 0;
-  const double separation = -sum_up(in_front, behind);
-  if (!(separation > 0)) return 0;
+  const Vector3<double> c = vertex_from_position(a, 0).position;
+  const double radius = sum_up(double(radius_of(a)), double(radius_of(b)));
+  const double of_radius = radius * std::sqrt(dot3(n, n)) * (1 + 8 * RunningError::u) + 0x1p-1000;
+  const double in_front = projected_bounds(a, n, c).low, behind = projected_bounds(b, n, c).high;
+  const double separation = sum_down(sum_down(in_front, -behind), -of_radius);
+  if (!(separation > 0) || !std::isfinite(separation)) return 0;
   using T = RunningError;
   const T closing = dot(triple<T>(n), minus(triple<T>(displacement_b), triple<T>(displacement_a)));
   const double most = sum_up(closing.value, closing.bound);

@@ -1,6 +1,6 @@
 /// @file
-/// Whether two translating bodies meet until a time, without rounding: the distance of the origin
-/// from the volume that their difference sweeps.
+/// Whether two translating bodies meet between two times, without rounding: the distance of the
+/// origin from the volume that their difference sweeps.
 #pragma once
 
 #include <algorithm>
@@ -20,19 +20,19 @@
 
 namespace contact::detail {
 
-/// The answer about a time: a plane that separates the bodies until then, or a common point.
+/// The answer about an interval of times: a plane that separates the bodies, or a common point.
 struct SweptAnswer {
   bool meets = false;
   CommonPointInMotion common;  ///< if they meet
-  Vector3<Exact> normal;       ///< if not: separates them from the start until that time, included
+  Vector3<Exact> normal;       ///< if not: separates them throughout, both ends included
 };
 
 // [swept-difference]
-/// The difference of two bodies, swept from the start until a time by the relative displacement.
+/// The difference of two bodies, swept between two times by the relative displacement.
 ///
-/// The bodies meet at some time from 0 to t if and only if the origin is within the sum of their
-/// radii of the hull of all aᵢ − bᵢ and aᵢ − bᵢ + t w: a point of this hull is a difference of
-/// points of both cores at a time between. The hull is convex, so GJK decides, without rounding:
+/// The bodies meet at some time from t₀ to t₁ if and only if the origin is within the sum of their
+/// radii of the hull of all aᵢ − bᵢ + t₀ w and aᵢ − bᵢ + t₁ w: a point of this hull is a difference
+/// of points of both cores at a time between. The hull is convex, so GJK decides, without rounding:
 /// see exact_gjk().
 template <PolytopeCore A, PolytopeCore B>
 class SweptDifference {
@@ -41,23 +41,21 @@ class SweptDifference {
   SweptDifference(const A& a, const B& b, const Vector3<Exact>& w)
       : a_(a), b_(b), w_(w), reach_(radius_sum(a, b)) {}
 
-  /// Whether they meet at a time from 0 to t.
+  /// Whether they meet at a time between two.
   /// @param start differences from which the search starts; those of four vertices at most
-  SweptAnswer until(double t, const CommonPointInMotion& start) const {
-    const Vector3<Exact> moved = w_ * Exact(t);
+  SweptAnswer between(double from, double to, const CommonPointInMotion& start) const {
+    const Ends ends{from, to, w_ * Exact(from), w_ * Exact(to)};
     std::vector<ExactDifference> points;
     for (std::size_t i = 0; i < std::size_t(std::clamp(start.count, 0, 4)); ++i) {
-      const bool late = start.times[i] > 0;
-      points.push_back(difference(start.of_a[i], start.of_b[i], late, moved));
+      points.push_back(difference(start.of_a[i], start.of_b[i], start.times[i] > from, ends));
     }
-    if (points.empty()) points.push_back(difference(0, 0, false, moved));
+    if (points.empty()) points.push_back(difference(0, 0, false, ends));
     for (;;) {
       const ExactClosest closest = closest_of_hull(points);
-      if (is_within(closest, reach_)) return meeting(closest, t);
+      if (is_within(closest, reach_)) return meeting(closest, ends);
       const Vector3<Exact>& n = closest.direction;
-      const ExactDifference least =
-          difference(farthest_vertex(a_, Vector3<Exact>(-n)), farthest_vertex(b_, n),
-                     n.dot(moved).sign() < 0, moved);
+      const ExactDifference least = difference(farthest_vertex(a_, Vector3<Exact>(-n)),
+                                               farthest_vertex(b_, n), n.dot(w_).sign() < 0, ends);
       const Exact lowest = n.dot(least.w);
       // The plane separates as soon as its lower bound on the distance exceeds the radii.
       if (lowest.sign() > 0 && reach_ * reach_ * n.dot(n) < lowest * lowest) return {false, {}, n};
@@ -93,13 +91,18 @@ class SweptDifference {
   Vector3<Exact> w_;
   Exact reach_;
 
+  /// The two times, and how far A has moved relative to B at each.
+  struct Ends {
+    double from, to;
+    Vector3<Exact> moved_from, moved_to;
+  };
+
   /// An index of A's vertex from its number of vertices on says that it is taken at the later time.
-  ExactDifference difference(int p, int q, bool late, const Vector3<Exact>& moved) const {
-    const int count = vertex_count(a_);
+  ExactDifference difference(int p, int q, bool late, const Ends& ends) const {
     const Vector3<Exact> d = exact_vertex(a_, p) - exact_vertex(b_, q);
-    return {{late ? p + count : p, q}, late ? Vector3<Exact>(d + moved) : d};
+    return {{late ? p + vertex_count(a_) : p, q}, d + (late ? ends.moved_to : ends.moved_from)};
   }
-  SweptAnswer meeting(const ExactClosest& closest, double t) const {
+  SweptAnswer meeting(const ExactClosest& closest, const Ends& ends) const {
     SweptAnswer answer{true, {}, Vector3<Exact>::Zero()};
     answer.common.count = closest.count;
     const int count = vertex_count(a_);
@@ -107,7 +110,7 @@ class SweptDifference {
       const DifferenceIndex& of = closest.vertex[i].of;
       answer.common.of_a[i] = of.a % count;
       answer.common.of_b[i] = of.b;
-      answer.common.times[i] = of.a >= count ? t : 0;
+      answer.common.times[i] = of.a >= count ? ends.to : ends.from;
     }
     return answer;
   }

@@ -70,10 +70,10 @@ TranslatingImpact decide_exactly(const A& a, const B& b, const Vector3<Exact>& w
                                  TranslatingImpact found, CommonPointInMotion start) {
   const SweptDifference<A, B> difference(a, b, w);
   const auto ask = [&](double t) {
-    const SweptAnswer answer = difference.until(t, start);
+    const SweptAnswer answer = difference.between(0, t, start);
     if (answer.meets) {
       found.t_high = t;
-      found.common = start = answer.common;
+      start = answer.common;
     } else {
       found.plane = exact_plane(answer.normal);
       found.t = std::min(1.0, std::max(t, difference.closes(answer.normal)));
@@ -83,7 +83,7 @@ TranslatingImpact decide_exactly(const A& a, const B& b, const Vector3<Exact>& w
   if (!(found.t > 0) && ask(0)) {
     found.meets = true;
     found.t = 0;
-    found.plane = {};
+    found.common = start;
     return found;
   }
   if (!ask(1)) {
@@ -98,6 +98,7 @@ TranslatingImpact decide_exactly(const A& a, const B& b, const Vector3<Exact>& w
     ask(useful ? near : time_between(found.t, found.t_high));
     middle = !middle;
   }
+  found.common = difference.between(found.t, found.t_high, start).common;
   return found;
 }
 // [/decide-exactly]
@@ -116,16 +117,17 @@ TranslatingImpact find_translating_impact(const A& a, const Vector3<double>& dis
   const CastCandidate candidate = ray.cast();
   found.t = 0;
   CommonPointInMotion common;
-  if (candidate.normal != Vector3<double>::Zero()) {
-    const double t = closes_not_before(candidate.normal, a, displacement_a, b, displacement_b);
+  const Vector3<double> normal = near_one(candidate.normal);
+  if (normal != Vector3<double>::Zero()) {
+    const double t = closes_not_before(normal, a, displacement_a, b, displacement_b);
     if (t > 1) {
       found.t = 1;
-      found.plane.normal = candidate.normal;
+      found.plane.normal = normal;
       return found;
     }
     if (t > 0) {
       found.t = t;
-      found.plane.normal = candidate.normal;
+      found.plane.normal = normal;
     }
   }
   if (candidate.end == CastCandidate::End::meets) {
