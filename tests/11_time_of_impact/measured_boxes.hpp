@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "families.hpp"
 #include "measured_impact.hpp"
@@ -181,14 +182,48 @@ inline ladder::Example shown(const Input& input, const Answer& got, const Answer
     const std::string of = name;
     example.facts.push_back(ladder::numbers(of + " centre", box->frame.origin));
     for (int k = 0; k < 3; ++k)
-      example.facts.push_back(ladder::numbers("axis", Vector(box->frame.axes.col(k))));
-    example.facts.push_back(ladder::numbers("half lengths", box->half_lengths));
-    example.facts.push_back(ladder::numbers("displacement", box->displacement));
+      example.facts.push_back(
+          ladder::numbers(of + " axis " + std::to_string(k + 1), Vector(box->frame.axes.col(k))));
+    example.facts.push_back(ladder::numbers(of + " half lengths", box->half_lengths));
+    example.facts.push_back(ladder::numbers(of + " displacement", box->displacement));
   }
   example.facts.push_back(measured_impact::told("this method", got));
   example.facts.push_back(measured_impact::told("exact", right));
   example.note = "The figures show discs and rods in the plane.";
   return example;
+}
+
+/// Described relative to the second box, or with fewer digits.
+inline std::vector<Input> simpler(const Input& input) {
+  std::vector<Input> all;
+  const auto same = [](const Box& x, const Box& y) {
+    return x.frame.origin == y.frame.origin && x.half_lengths == y.half_lengths &&
+           x.displacement == y.displacement;
+  };
+  const auto offer = [&](const Box& a, const Box& b) {
+    if (!same(a, input.a) || !same(b, input.b)) all.push_back(made(a, b));
+  };
+  Box a = input.a, b = input.b;
+  a.frame.origin -= b.frame.origin;
+  a.displacement -= b.displacement;
+  b.frame.origin = b.displacement = Vector::Zero();
+  offer(a, b);
+  for (const int bits : {0, 2, 4, 8, 16, 24}) {
+    const auto shorter = [bits](const Box& box) {
+      const auto each = [bits](const Vector& v) {
+        return Vector(v.unaryExpr(
+            [bits](double x) { return std::ldexp(std::round(std::ldexp(x, bits)), -bits) + 0.0; }));
+      };
+      Box to = box;
+      to.frame.origin = each(box.frame.origin);
+      to.displacement = each(box.displacement);
+      const Vector half = each(box.half_lengths);
+      if (half.minCoeff() > 0) to.half_lengths = half;
+      return to;
+    };
+    offer(shorter(input.a), shorter(input.b));
+  }
+  return all;
 }
 
 /// Orthonormal columns, up to rounding.
@@ -294,6 +329,7 @@ inline ladder::Ladder<Input, Answer> experiment() {
   ladder.method(exact("box-exact", "swept axes: filter, then exact"), exactly);
   ladder.recommend("box-exact");
   ladder.show(shown);
+  ladder.simplify(simpler);
   return ladder;
 }
 

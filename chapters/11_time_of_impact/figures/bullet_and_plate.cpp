@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <contact/figure.hpp>
+#include <contact/offset_plane.hpp>
 #include <contact/sine_cosine.hpp>
 #include <contact/sliced_steps.hpp>
 #include <contact/sphere_capsule_impact.hpp>
@@ -52,7 +53,8 @@ struct Output {
   double touches, time;                                       // the exact answer
   double leaves;                                              // when they separate again, at most 1
   // At the touch: the bullet's centre, that of the disc, the point in common on both surfaces, and
-  // the unit normal of the surface that is hit, towards the bullet.
+  // the unit normal of the surface that is hit, towards the bullet. Between overlapping discs the
+  // point divides the line of the centres as the radii do.
   Point touch_centre, touch_other, touch_point, normal;
   double at_start;     // 1 if they touch or overlap at the start
   double swept_meets;  // 1 if the volumes that they sweep have a point in common
@@ -61,12 +63,12 @@ struct Output {
   double parts;
   std::array<std::array<Point, samples>, 2> missed_low, missed_high;
   Point shift;
-  // The plate's face that the bullet is before at the start, as a plane; the time at which the
-  // bullet touches the plane, if it does so in the step, and where.
-  Point face_normal;
+  // The plate's face that the bullet is before at the start, as a plane without edges; whether the
+  // bullet touches it in the step, when, and where on the plane.
+  Vector face_normal;
   double face_offset;
   double face_touched, face_time;
-  Point face_point;
+  Vector face_point;
   // Goals of questions.
   double missed;       // they touch in the step, and no slice shows it
   double missed_fine;  // the same with at least 20 slices
@@ -103,15 +105,9 @@ struct Motion {
 
   Point bullet(double t) const { return from + t * displacement; }
   Point other(double t) const { return other_from + t * other_displacement; }
-  /// The point of the target at the time t that is closest to a point outside.
-  Point closest(const Point& p, double t) const {
-    const Point centre = other(t);
-    if (!plate) {
-      const Point between = p - centre;
-      const double distance = std::sqrt(between.squaredNorm());
-      return distance > 0 ? Point(centre + other_radius / distance * between) : centre;
-    }
-    return centre + (p - centre).cwiseMax(-half).cwiseMin(half);
+  /// The point of the plate that is closest to a point.
+  Point closest(const Point& p) const {
+    return other_from + (p - other_from).cwiseMax(-half).cwiseMin(half);
   }
   /// The distance of the surfaces; negative if they overlap.
   double gap(double t) const {
@@ -177,7 +173,10 @@ void exactly(const Motion& m, Output& out) {
   out.leaves = std::max(out.time, 1 - first_touch(reversed(m)).value_or(0.0));
   out.touch_centre = m.bullet(out.time);
   out.touch_other = m.other(out.time);
-  out.touch_point = m.closest(out.touch_centre, out.time);
+  const double share = m.radius / (m.radius + m.other_radius);
+  out.touch_point = m.plate
+                        ? m.closest(out.touch_centre)
+                        : Point(out.touch_centre + share * (out.touch_other - out.touch_centre));
   const Point between = out.touch_centre - out.touch_point;
   const double distance = std::sqrt(between.squaredNorm());
   if (distance > 0) out.normal = between / distance;
@@ -305,17 +304,17 @@ void grow(const Motion& m, Output& out) {
   }
 }
 
-/// The plane of the face that the bullet's centre is before at the start.
+/// The plane of the face that the bullet's centre is before at the start, as if it had no edges.
 void against_face(const Motion& m, Output& out) {
   const double side = m.from.x() < m.other_from.x() ? -1 : 1;
-  out.face_normal = {side, 0};
-  out.face_offset = side * (m.other_from.x() + side * m.half.x());
-  const double height = side * m.from.x() - out.face_offset - m.radius;
-  const double speed = -side * m.displacement.x();
-  if (!(height >= 0) || !(speed > 0) || !(height <= speed)) return;
+  out.face_normal = {side, 0, 0};
+  out.face_offset = side * m.other_from.x() + m.half.x();
+  const auto hit = contact::sphere_plane_impact<double>(
+      {space(m.from), m.radius}, space(m.displacement), {out.face_normal, out.face_offset});
+  if (!hit) return;
   out.face_touched = 1;
-  out.face_time = height / speed;
-  out.face_point = m.bullet(out.face_time) - m.radius * out.face_normal;
+  out.face_time = hit->t;
+  out.face_point = hit->point;
 }
 
 }  // namespace
