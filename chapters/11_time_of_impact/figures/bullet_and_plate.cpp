@@ -33,7 +33,7 @@ struct Input {
   double time;                 // at which the bodies are drawn, as a fraction of the step
 };
 
-constexpr std::size_t most_slices = 40, most_halvings = 20, corners = 64, samples = 24;
+constexpr std::size_t most_slices = 40, most_halvings = 20, corners = 64, samples = 48;
 
 struct Output {
   double problem;
