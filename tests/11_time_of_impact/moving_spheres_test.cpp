@@ -138,6 +138,7 @@ TEST_CASE("a sphere meets one at rest") {
   check({{-6, 0, 0}, {8, 0, 0}, 2}, kAtRest);
   check({{-4, 1, -8}, {2, 0, 16}, 0.5}, kAtRest);
   check({{-6, 1, 7}, {8, 0, 0}, 2}, {{0, 1, 7}, {0, 0, 0}, 1});
+  check({{-0.5, 0, 0}, {0.5, 0, 0}, 0.125}, {{0, 0, 0}, {0, 0, 0}, 0.25});
 }
 
 TEST_CASE("both spheres move") {
