@@ -51,12 +51,11 @@ struct RestingFall {
 /// The gap above the floor after each of a number of steps, if an overlap puts the body back to the
 /// previous free state and sets its velocity to 0.
 ///
-/// A body that has been put back never gets closer: it starts the next step at rest with the gap g
-/// and moves down by gravity alone, by a in one step, so in k of n slices by a k/n. Either a ≥ g:
-/// then the last slices overlap, it is put back to the last free one, and its gap becomes g − a
-/// k/n with the largest k for which that is positive, at most a/n. From there, if g ≤ a/n, the
-/// first slice already overlaps, and the gap stays as it is in all later steps. So it rests at a
-/// distance of up to a slice's displacement from the floor: it hovers.
+/// The body ends at rest above the floor. Once it has been put back with the gap g, it starts the
+/// next step at rest and moves down by a, what gravity adds in a step: in k of n slices by a k/n.
+/// If a < g, it falls freely and faster until it is put back again, with a smaller gap. If a ≥ g,
+/// it is put back to g − a k/n with the largest k for which that is positive, so to at most a/n.
+/// From there already the first slice overlaps, and the gap stays the same in all later steps.
 /// @param fall finite; gap greater than 0, gravity not negative
 /// @param slices, steps at least 1
 /// @return m, `steps` numbers, all greater than 0
