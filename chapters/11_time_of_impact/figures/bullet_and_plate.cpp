@@ -46,6 +46,7 @@ struct Output {
   std::array<Point, most_slices + 1> bullet, other;  // the centres then
   // What each method answers: 1 if it finds a touch, and its time as a fraction of the step.
   double sliced, sliced_time;
+  double previous_free;      // the end of the last free slice before that
   double interpolated_time;  // between the last free slice and the first one with an overlap
   double bisected, free_time, hit_time;
   double halvings;                                            // how many were made
@@ -209,6 +210,7 @@ void by_slices(const Input& in, const Motion& m, Output& out) {
   // [/slices]
   out.sliced = 1;
   out.sliced_time = found->hit;
+  out.previous_free = found->free;
   out.interpolated_time =
       contact::interpolated_impact(*found, m.gap(found->free), m.gap(found->hit));
   out.bisected = 1;
@@ -353,8 +355,8 @@ FIGURE(Input,
               halvings, time),
        Output,
        FIELDS(problem, at, other_at, plate_low, plate_high, grown, slices, tested, overlaps, bullet,
-              other, sliced, sliced_time, interpolated_time, bisected, free_time, hit_time,
-              halvings, halved, halved_overlaps, touches, time, leaves, touch_centre, touch_other,
-              touch_point, normal, at_start, swept_meets, crossed, parts, missed_low, missed_high,
-              shift, face_normal, face_offset, face_touched, face_time, face_point, missed,
-              missed_fine, grazed, late))
+              other, sliced, sliced_time, previous_free, interpolated_time, bisected, free_time,
+              hit_time, halvings, halved, halved_overlaps, touches, time, leaves, touch_centre,
+              touch_other, touch_point, normal, at_start, swept_meets, crossed, parts, missed_low,
+              missed_high, shift, face_normal, face_offset, face_touched, face_time, face_point,
+              missed, missed_fine, grazed, late))

@@ -30,6 +30,7 @@ interface Output {
   other: readonly number[];
   sliced: number;
   sliced_time: number;
+  previous_free: number;
   interpolated_time: number;
   bisected: number;
   free_time: number;
@@ -315,13 +316,19 @@ export default defineFigure<Input, Output>({
     lines(scene, input, output);
   },
   values(_input, output): Value[] {
-    const { sliced, sliced_time, interpolated_time, bisected, free_time, hit_time } = output;
+    const { sliced, sliced_time, previous_free, interpolated_time, bisected, free_time, hit_time } =
+      output;
     return [
       {
         name: "slices",
         meaning: sliced ? "the first one that ends in an overlap" : "none ends in an overlap",
         value: sliced ? sliced_time : "–",
         role: sliced ? "hit" : "miss",
+      },
+      {
+        name: "put back",
+        meaning: "to the last free state before that",
+        value: sliced ? previous_free : "–",
       },
       {
         name: "interpolated",

@@ -29,6 +29,7 @@ using Ends = std::array<Point, 2>;
 
 struct Output {
   double problem;
+  double half_length;     // of the rod's axis, m
   double half_thickness;  // of the rod, m
   double disc_radius;     // m
   double tolerance;       // m
@@ -53,6 +54,10 @@ struct Output {
   double touches, touch_time;              // up to 10⁻⁹ m; the time is not after the touch
   Ends touch_ends;
   Point touch_point;
+  // The same motion for a rod without thickness and a disc with both radii.
+  double start_angle, turned;  // rad
+  Point displacement;          // m
+  double radius_sum;           // m
   // Goals of questions.
   double passed;      // it touches, and no sample shows it
   double many;        // more than 20 advances
@@ -184,7 +189,12 @@ Output compute(const Input& in) {
   if (size > 1000) out.problem = contact::figure::too_large;
   if (out.problem != 0) return out;
   const Rod rod(in);
+  out.half_length = half_length;
   out.half_thickness = half_thickness;
+  out.start_angle = rod.angle;
+  out.turned = rod.turned;
+  out.displacement = rod.displacement;
+  out.radius_sum = disc_radius + half_thickness;
   out.disc_radius = disc_radius;
   constexpr std::array<double, 4> tolerances{1, 0.1, 0.01, 0.001};
   out.tolerance = tolerances[std::size_t(std::clamp(std::round(-in.exponent), 1.0, 3.0))];
@@ -202,8 +212,8 @@ Output compute(const Input& in) {
 
 FIGURE(Input, FIELDS(target, from, to, angle, turns, wall, disc, towards, exponent, step, samples),
        Output,
-       FIELDS(problem, half_thickness, disc_radius, tolerance, approach, advances, ended, time,
-              times, distances, shown, ends, on_axis, on_target, now, distance, next_time,
-              next_ends, samples, sampled, sampled_distances, sampled_ends, overlapping,
-              first_overlap, curve, touches, touch_time, touch_ends, touch_point, passed, many, few,
-              clear_fast))
+       FIELDS(problem, half_length, half_thickness, disc_radius, tolerance, approach, advances,
+              ended, time, times, distances, shown, ends, on_axis, on_target, now, distance,
+              next_time, next_ends, samples, sampled, sampled_distances, sampled_ends, overlapping,
+              first_overlap, curve, touches, touch_time, touch_ends, touch_point, start_angle,
+              turned, displacement, radius_sum, passed, many, few, clear_fast))
