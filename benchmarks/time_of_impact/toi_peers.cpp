@@ -11,6 +11,7 @@
 #include <contact/moving_triangles.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/translating_impact.hpp>
+#include <contact/turning_impact.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -180,6 +181,28 @@ void compare_turning(const toi_scenes::Turning& scene, int runs, Totals& totals)
       }
     };
   };
+  using Box = contact::OrientedBox<double>;
+  std::vector<std::array<std::pair<Box, contact::TurningMotion<double>>, 2>> bodies;
+  for (const auto& pair : pairs) {
+    const auto turning = [](const contact::RotatingBox<double>& box) {
+      return std::pair{
+          Box{box.position, contact::matrix_of(box.orientation), box.half_lengths},
+          contact::turning_motion<double>(box.position, box.velocity, box.angular_velocity)};
+    };
+    bodies.push_back({turning(pair[0]), turning(pair[1])});
+  }
+  const auto by_planes = [&](double tolerance) {
+    return [&bodies, tolerance](Answers& answers) {
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const auto& [a, b] = bodies[i];
+        const auto found = contact::turning_impact(a.first, a.second, b.first, b.second, tolerance);
+        answers[i] = {found.end == contact::ConservativeEnd::impact, found.t,
+                      found.end == contact::ConservativeEnd::gave_up};
+      }
+    };
+  };
+  methods.push_back({"Contact Hours, turning_impact 1e-4", by_planes(1e-4)});
+  methods.push_back({"Contact Hours, turning_impact 1e-9", by_planes(1e-9)});
   methods.push_back({"Contact Hours, rotating_boxes 1e-4", advance(1e-4)});
   methods.push_back({"Contact Hours, rotating_boxes 1e-9", advance(1e-9)});
   for (const auto& caster : others(true, scene.in_plane)) {

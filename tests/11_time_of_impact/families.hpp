@@ -91,7 +91,11 @@ MovingSpheres<S> spheres(Random& random, Spheres family) {
   double radius_a = random.uniform(0.125, 1), radius_b = random.uniform(0.125, 1);
   V way_a = place(random, 4), way_b = place(random, 4);
   const V between = centre_b - centre_a;
-  if (random.chance(0.5)) way_a = way_b + between * random.uniform(0.5, 2) + place(random, 0.5);
+  // Each draw has a statement of its own: compilers differ in the order within an expression.
+  if (random.chance(0.5)) {
+    const double share = random.uniform(0.5, 2);
+    way_a = way_b + between * share + place(random, 0.5);
+  }
   switch (family) {
     case Spheres::graze: {
       // At the closest point of its path, b is a perpendicular of that length away.
@@ -99,9 +103,11 @@ MovingSpheres<S> spheres(Random& random, Spheres family) {
       centre_b = centre_a + side * ((radius_a + radius_b) / side.norm()) - w * random.uniform();
       break;
     }
-    case Spheres::fast:
-      way_a = way_b + between * random.uniform(50, 5000) + place(random, 2);
+    case Spheres::fast: {
+      const double times = random.uniform(50, 5000);
+      way_a = way_b + between * times + place(random, 2);
       break;
+    }
     case Spheres::start_in_touch: {
       centre_a = whole_place(random, 3);
       const int k = random.integer(0, 2);

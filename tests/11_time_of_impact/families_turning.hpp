@@ -42,6 +42,12 @@ inline constexpr std::string_view name(Turning family) {
   return names[static_cast<std::size_t>(family)];
 }
 
+/// A vector in any direction of a length in a range: a rotation, or a distance.
+inline V any_turn(Random& random, double least, double most) {
+  const V axis = place(random, 1).normalized();
+  return axis * random.uniform(least, most);
+}
+
 /// Turning boxes of a family. No box turns by more than 3 rad, so that its poses at the start and
 /// at the end determine the motion.
 inline TurningBoxes turning_boxes(Random& random, Turning family) {
@@ -72,18 +78,19 @@ inline TurningBoxes turning_boxes(Random& random, Turning family) {
     case Turning::plates:
       for (std::size_t k = 0; k < 2; ++k) {
         pair.half_lengths[k] = V{random.uniform(0.5, 1.5), random.uniform(0.5, 1.5), 0.01};
-        pair.angular_displacement[k] = place(random, 1).normalized() * random.uniform(1, 2.9);
+        pair.angular_displacement[k] = any_turn(random, 1, 2.9);
       }
       break;
-    case Turning::spinning:
+    case Turning::spinning: {
       for (std::size_t k = 0; k < 2; ++k) {
         pair.displacement[k] = V::Zero();
-        pair.angular_displacement[k] = place(random, 1).normalized() * 2.9;
+        pair.angular_displacement[k] = any_turn(random, 2.9, 2.9);
       }
-      pair.position[1] =
-          pair.position[0] + place(random, 1).normalized() * random.uniform(0.5, 1.2) *
-                                 (pair.half_lengths[0].norm() + pair.half_lengths[1].norm());
+      const double reach = pair.half_lengths[0].norm() + pair.half_lengths[1].norm();
+      const V apart = any_turn(random, 0.5, 1.2);
+      pair.position[1] = pair.position[0] + apart * reach;
       break;
+    }
     case Turning::graze: {
       // A large plate at rest; the other box turns about its centre so that its half diagonal is
       // about as long as its height over the plate.
@@ -92,7 +99,7 @@ inline TurningBoxes turning_boxes(Random& random, Turning family) {
       pair.rotation[0] = pair.displacement[0] = pair.angular_displacement[0] = V::Zero();
       pair.displacement[1].z() = 0;
       pair.position[1].z() = pair.half_lengths[1].norm() * (1 + random.magnitude(-20, -2));
-      pair.angular_displacement[1] = place(random, 1).normalized() * random.uniform(1, 2.9);
+      pair.angular_displacement[1] = any_turn(random, 1, 2.9);
       break;
     }
     case Turning::bullet:

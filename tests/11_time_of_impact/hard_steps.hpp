@@ -14,6 +14,7 @@
 #include <contact/sliced_steps.hpp>
 #include <contact/swept_volumes.hpp>
 #include <contact/translating_impact.hpp>
+#include <contact/turning_impact.hpp>
 #include <limits>
 #include <optional>
 
@@ -454,6 +455,15 @@ inline void add_rod(hard_cases::Runner& runner) {
     rod.angular_velocity = V(0, p.angle, 0);
     const auto found = contact::rotating_box_plane_impact<double>(
         rod, {V(0, 0, 1), 0}, 1.0, std::ldexp(p.half_length, -24), 1000000);
+    if (found.end == contact::ConservativeEnd::clear) return std::nullopt;
+    return found.t;
+  });
+  method("book: bodies of any kind", [](const RodStep& p) -> Time {
+    const V centre(0, 0, p.height), half(p.half_length, p.half_thickness, p.half_thickness);
+    const contact::OrientedBox<double> rod{centre, contact::Matrix3<double>::Identity(), half};
+    const auto found = contact::turning_impact<contact::OrientedBox<double>>(
+        rod, contact::turning_motion<double>(centre, V(0, 0, 0), V(0, p.angle, 0)),
+        contact::HalfSpace<double>{{V(0, 0, 1), 0}}, std::ldexp(p.half_length, -24), 1000000);
     if (found.end == contact::ConservativeEnd::clear) return std::nullopt;
     return found.t;
   });
