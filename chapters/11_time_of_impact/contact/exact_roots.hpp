@@ -163,21 +163,6 @@ inline int sign_at_root(const ExactPolynomial& q, const ExactPolynomial& p, cons
 
 namespace detail {
 
-/// Halves the interval of a root until it is at most 2^-60 of its upper end, or below all doubles.
-inline void refine(ExactRoot& root, const ExactPolynomial& p) {
-  const Exact half(0.5), fine(0x1p-60);
-  const int before = p.at(root.low).sign();
-  for (int k = 0; k < 1200 && root.high - root.low > fine * root.high; ++k) {
-    const Exact middle = (root.low + root.high) * half;
-    const int sign = p.at(middle).sign();
-    if (sign == 0) {
-      root = {middle, middle};
-      return;
-    }
-    (sign == before ? root.low : root.high) = middle;
-  }
-}
-
 /// Adds the roots in the open interval, in ascending order.
 /// @param p without a multiple root
 /// @param sequence Sturm's, of p
@@ -187,7 +172,6 @@ inline void isolate(const ExactPolynomial& p, const std::vector<ExactPolynomial>
   if (count == 0) return;
   if (count == 1 && p.at(interval.low).sign() * p.at(interval.high).sign() != 0) {
     roots.push_back(interval);
-    refine(roots.back(), p);
     return;
   }
   const Exact middle = (interval.low + interval.high) * Exact(0.5);
@@ -205,7 +189,7 @@ inline void isolate(const ExactPolynomial& p, const std::vector<ExactPolynomial>
 /// The different real roots of a polynomial from 0 to 1, in ascending order.
 struct ExactRoots {
   ExactPolynomial polynomial;    ///< with the same roots, each of them once
-  std::vector<ExactRoot> roots;  ///< each as far as 2^-60 of itself, or exactly
+  std::vector<ExactRoot> roots;  ///< each alone in its interval; refined() narrows it
 };
 
 /// Finds all roots from 0 to 1: the interval is halved until Sturm's sequence counts at most one
@@ -216,11 +200,13 @@ struct ExactRoots {
 /// other take many halvings.
 /// @param p not 0
 inline ExactRoots exact_roots(const ExactPolynomial& p) {
-  ExactRoots found;
-  const ExactPolynomial divisor = detail::signed_remainders(p, derivative(p)).back();
-  found.polynomial = divisor.degree() > 0 ? detail::divided(p, divisor).first : p;
+  ExactRoots found{p, {}};
   const ExactPolynomial& simple = found.polynomial;
-  const auto sequence = detail::signed_remainders(simple, derivative(simple));
+  auto sequence = detail::signed_remainders(p, derivative(p));
+  if (sequence.back().degree() > 0) {
+    found.polynomial = detail::divided(p, sequence.back()).first;
+    sequence = detail::signed_remainders(simple, derivative(simple));
+  }
   const Exact zero(0.0), one(1.0);
   if (simple.at(zero).sign() == 0) found.roots.push_back({zero, zero});
   const bool ends = simple.at(one).sign() == 0;
@@ -229,6 +215,21 @@ inline ExactRoots exact_roots(const ExactPolynomial& p) {
   detail::isolate(simple, sequence, {zero, one}, count - (ends ? 1 : 0), found.roots);
   if (ends) found.roots.push_back({one, one});
   return found;
+}
+
+/// The root in an interval of at most 2^-60 of its upper end, or exactly.
+/// @param p not 0 at the ends of the root, unless they are equal
+inline ExactRoot refined(ExactRoot root, const ExactPolynomial& p) {
+  if (root.low == root.high) return root;
+  const Exact half(0.5), fine(0x1p-60);
+  const int before = p.at(root.low).sign();
+  for (int k = 0; k < 1200 && root.high - root.low > fine * root.high; ++k) {
+    const Exact middle = (root.low + root.high) * half;
+    const int sign = p.at(middle).sign();
+    if (sign == 0) return {middle, middle};
+    (sign == before ? root.low : root.high) = middle;
+  }
+  return root;
 }
 // [/exact-roots]
 

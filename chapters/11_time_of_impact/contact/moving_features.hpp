@@ -207,6 +207,22 @@ inline FloatingTime narrowed(BernsteinCubic cubic) {
 }
 // [/narrow-root]
 
+/// What a very short part proves together with one as long after it: that they meet, if the volume
+/// is certainly of opposite signs at both ends and the point or the crossing certainly inside. A
+/// root at a fraction with a power of two as denominator is at the end of each part, and needs
+/// this.
+template <class Pair>
+FloatingTime meeting_beyond(const Pair& pair, const BernsteinCubic& part) {
+  const double length = part.high - part.low, high = part.high + length;
+  if (!(high <= 1) || pair.inside(part.high, length) <= 0) return {};
+  const auto at_end = [&](std::size_t i) { return enclosed(pair.factors(), i, high, 0); };
+  const int last = dot(at_end(0), cross(at_end(1), at_end(2))).certain_sign();
+  if ((last > 0 && part.b[0] < -part.error) || (last < 0 && part.b[0] > part.error)) {
+    return {FloatingTime::State::meets, part.low, high};
+  }
+  return {};
+}
+
 // [roots-of-volume]
 /// Goes through the parts of the step in which the volume may be 0, in ascending order, each half
 /// as long as the one it is from.
@@ -233,7 +249,7 @@ FloatingTime search_volume(const Pair& pair, double from) {
       if (inside < 0) continue;
       if (inside > 0 && part.changes_sign()) return narrowed(part);
     }
-    if (length == 0x1p-40) return {};
+    if (length == 0x1p-40) return meeting_beyond(pair, part);
     const auto halves = part.halves();
     stack[count++] = halves[1];
     stack[count++] = halves[0];
