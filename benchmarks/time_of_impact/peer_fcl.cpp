@@ -11,7 +11,7 @@ using peers::Box;
 fcl::Vector3d vector(const peers::Numbers& v) { return {v[0], v[1], v[2]}; }
 
 struct Moving {
-  std::shared_ptr<fcl::Boxd> shape;
+  std::shared_ptr<fcl::ShapeBased> shape;
   fcl::Transform3d from, to;
 };
 
@@ -29,6 +29,27 @@ Moving moving(const Box& box) {
   for (std::size_t k = 0; k < 3; ++k) end[k] += box.displacement[k];
   return {std::make_shared<fcl::Boxd>(2 * h[0], 2 * h[1], 2 * h[2]), pose(box.centre, box.axes),
           pose(end, box.end_axes)};
+}
+
+Moving moving_body(const peers::Body& body) {
+  const peers::Numbers& h = body.half_lengths;
+  std::shared_ptr<fcl::ShapeBased> shape;
+  switch (body.kind) {
+    case peers::Kind::sphere:
+      shape = std::make_shared<fcl::Sphered>(body.radius);
+      break;
+    case peers::Kind::capsule:
+      shape = std::make_shared<fcl::Capsuled>(body.radius, 2 * h[2]);
+      break;
+    case peers::Kind::box:
+      shape = std::make_shared<fcl::Boxd>(2 * h[0], 2 * h[1], 2 * h[2]);
+      break;
+    default:  // it has no collision of a triangle with a box, and its hulls need faces
+      return {};
+  }
+  peers::Numbers end = body.centre;
+  for (std::size_t k = 0; k < 3; ++k) end[k] += body.displacement[k];
+  return {shape, pose(body.centre, body.axes), pose(end, body.axes)};
 }
 
 auto by(fcl::CCDSolverType solver, fcl::CCDMotionType motion) {
@@ -53,4 +74,12 @@ std::vector<peers::Caster> peers::fcl_casters() {
                  fcl::CCDM_TRANS, false),
           caster("FCL, advancement", fcl::CCDC_CONSERVATIVE_ADVANCEMENT, fcl::CCDM_LINEAR, true),
           caster("FCL, ten slices, its default", fcl::CCDC_NAIVE, fcl::CCDM_LINEAR, true)};
+}
+
+std::vector<peers::BodyCaster> peers::fcl_body_casters() {
+  const auto known = [](Kind kind) { return kind != Kind::triangle && kind != Kind::hull; };
+  return {{"FCL, advancement, translation", known,
+           asking(moving_body, by(fcl::CCDC_CONSERVATIVE_ADVANCEMENT, fcl::CCDM_TRANS))},
+          {"FCL, ten slices, its default", known,
+           asking(moving_body, by(fcl::CCDC_NAIVE, fcl::CCDM_TRANS))}};
 }

@@ -58,10 +58,35 @@ std::vector<Caster> box2d_casters();
 std::vector<Caster> box2d_v3_casters();
 std::vector<Caster> box3d_casters();
 
-/// A caster that keeps each box as `convert` makes it, and asks `cast` of two.
+/// The kinds of convex body that translate.
+enum class Kind { sphere, capsule, box, triangle, hull };
+
+/// A convex body that translates, by its frame. A capsule has its core along the third axis, twice
+/// half_lengths[2] long; a triangle and a hull have points in the world.
+struct Body {
+  Kind kind = Kind::sphere;
+  Numbers centre{};
+  std::array<Numbers, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Numbers half_lengths{};
+  double radius = 0;
+  std::vector<Numbers> points;
+  Numbers displacement{};
+};
+using BodyPairs = std::vector<std::array<Body, 2>>;
+
+/// As Caster, for convex bodies that translate.
+struct BodyCaster {
+  std::string name;
+  std::function<bool(Kind)> takes;
+  std::function<std::function<void(Answers&)>(const BodyPairs&)> prepare;
+};
+std::vector<BodyCaster> fcl_body_casters();
+std::vector<BodyCaster> bullet_body_casters();
+
+/// A caster that keeps each box or body as `convert` makes it, and asks `cast` of two.
 template <class Convert, class Cast>
 auto asking(Convert convert, Cast cast) {
-  return [convert, cast](const Pairs& pairs) {
+  return [convert, cast](const auto& pairs) {
     using Kept = decltype(convert(pairs.front()[0]));
     auto kept = std::make_shared<std::vector<std::pair<Kept, Kept>>>();
     for (const auto& [first, second] : pairs) kept->emplace_back(convert(first), convert(second));

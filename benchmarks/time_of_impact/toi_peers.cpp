@@ -1,7 +1,8 @@
-// Compares the book's times of impact with those of FCL, Bullet, Box2D and Box3D: of boxes that
-// translate, of boxes that turn, and of vertices, faces and edges that move. Times are those of the
-// processor, in turns of all methods. usage:
-//   toi_peers [N] [runs] [translating | turning | points]   N pairs of each family
+// Compares the book's times of impact with those of FCL, Bullet, Box2D and Box3D: of boxes and
+// other bodies that translate, of boxes that turn, and of vertices, faces and edges that move.
+// Times are those of the processor, in turns of all methods. usage:
+//   toi_peers [N] [runs] [PART]   N pairs of each family; of one part: translating, bodies, turning
+//                                 or points
 //   toi_peers --write FOLDER [N]     writes the moving points, for ipctk_peer.py
 //   toi_peers --ask FOLDER NAME      the book's time for those of a file, ns each
 #include <algorithm>
@@ -22,6 +23,7 @@
 
 #include "../comparison.hpp"
 #include "11_time_of_impact/hard_moving.hpp"
+#include "body_scenes.hpp"
 #include "peers.hpp"
 #include "toi_scenes.hpp"
 
@@ -154,6 +156,53 @@ void compare_translating(const toi_scenes::Translating& scene, int runs, Totals&
           return right[i] && x.hit && (*right[i] - x.t) * speed(i) > close_to(scene.plain[i]);
         })},
        {"unknown", counting([&](const Answer& x, std::size_t) { return x.failed; })}},
+      runs, Answers(pairs.size()));
+  add_to(totals, rows, pairs.size());
+}
+
+// ----------------------------------------------------------------------- bodies that translate
+
+void compare_bodies(const body_scenes::Scene& scene, int runs, Totals& totals) {
+  const auto& pairs = scene.pairs;
+  std::vector<comparison::Method<Answers>> methods{
+      {"Contact Hours, translating_impact", [&pairs](Answers& answers) {
+         for (std::size_t i = 0; i < pairs.size(); ++i) {
+           const auto& p = pairs[i];
+           const auto found = std::visit(
+               [&](const auto& a, const auto& b) {
+                 return contact::translating_impact(a, p.displacement_a, b, p.displacement_b);
+               },
+               p.a, p.b);
+           answers[i] = {found.meets, found.t, false};
+         }
+       }}};
+  std::vector<peers::BodyCaster> casters;
+#ifdef CONTACT_HAS_FCL
+  for (const auto& caster : peers::fcl_body_casters()) casters.push_back(caster);
+#endif
+#ifdef CONTACT_HAS_BULLET
+  for (const auto& caster : peers::bullet_body_casters()) casters.push_back(caster);
+#endif
+  const auto& [first, second] = scene.plain_pairs.front();
+  for (const auto& caster : casters) {
+    if (caster.takes(first.kind) && caster.takes(second.kind))
+      methods.push_back({caster.name, caster.prepare(scene.plain_pairs)});
+  }
+  const auto exact = [](double t) { return oracle::exact(std::clamp(t, 0.0, 1.0)); };
+  const auto rows = comparison::compare<Answers>(
+      scene.title + ", " + std::to_string(pairs.size()) + " pairs, " +
+          std::to_string(std::count(scene.right.begin(), scene.right.end(), 1)) + " touch",
+      "ns a pair", static_cast<double>(pairs.size()), methods,
+      {{"missed",
+        counting([&](const Answer& x, std::size_t i) { return scene.right[i] != 0 && !x.hit; })},
+       {"false",
+        counting([&](const Answer& x, std::size_t i) { return scene.right[i] == 0 && x.hit; })},
+       {"past", counting([&](const Answer& x, std::size_t i) {
+          return scene.right[i] != 0 && x.hit && x.t > late && scene.touch_by(i, exact(x.t - late));
+        })},
+       {"early", counting([&](const Answer& x, std::size_t i) {
+          return scene.right[i] != 0 && x.hit && scene.distance_at(i, exact(x.t)) > close_enough;
+        })}},
       runs, Answers(pairs.size()));
   add_to(totals, rows, pairs.size());
 }
@@ -386,6 +435,25 @@ int main(int argc, char** argv) {
     compare("in the plane, bullets and a wall", std::nullopt, true);
     print("all boxes that translate", space, faults);
     print("all rectangles that translate", plane, faults);
+  }
+  if (part.empty() || part == "bodies") {
+    using moving_bodies::Family;
+    Totals totals;
+    // Kinds as in moving_bodies: sphere, capsule, lozenge, box, triangle, hull.
+    const auto compare = [&](const char* title, Family family, int a, int b) {
+      compare_bodies(body_scenes::scene(title, family, a, b, count), runs, totals);
+    };
+    compare("two spheres", Family::plain, 0, 0);
+    compare("a sphere and a box", Family::plain, 0, 3);
+    compare("two capsules", Family::plain, 1, 1);
+    compare("a capsule and a box", Family::plain, 1, 3);
+    compare("a box and a triangle", Family::plain, 3, 4);
+    compare("two hulls", Family::plain, 5, 5);
+    compare("a small fast capsule and a box", Family::bullet, 1, 3);
+    compare("a small fast hull and a hull", Family::bullet, 5, 5);
+    compare("a capsule and a box on integers", Family::whole, 1, 3);
+    compare("two hulls on integers", Family::whole, 5, 5);
+    print("all bodies that translate", totals, {"missed", "false", "past", "early"});
   }
   if (part.empty() || part == "turning") {
     Totals totals, plane;
