@@ -117,7 +117,7 @@ TEST_CASE("boxes near the bound of the quick sweep: it never contradicts the fra
     const auto touch = boxes::first_touch(a, b);
     if (!touch || *touch == 0) continue;
     // The touch is moved to the end of the step, up to a little more or less than the bound.
-    const double share = oracle::nearest(*touch) * (1 + random.uniform(-1, 1) * 0x1p-10);
+    const double share = oracle::nearest(*touch) * (1 + random.uniform(-1, 1) * 0x1p-12);
     a.displacement *= share;
     b.displacement *= share;
     const auto right = boxes::first_touch(a, b);

@@ -132,43 +132,63 @@ class QuickIntervals {
   std::array<double, 15> highest_{-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 };
 
-/// The time on each axis that may be the last to begin, with the bounds of bounded_times(): the
-/// largest is the time of impact.
+/// The time on each axis that may be the last to begin, with a bound of its error: the largest is
+/// the time of impact.
+///
+/// The bound is that of bounded_times() with longer terms, which cost less. An entry of M is at
+/// most 2 h h', with the two half lengths in the axis, and the absolute entries of an edge have a
+/// sum of at most √3 times its half length; 2^-10 more covers that axes are unit vectors to 2^-20
+/// only.
+/// @param distance, displacement sums of the absolute entries
 inline QuickSweep last_to_begin(const TranslatingBox<double>& a, const TranslatingBox<double>& b,
-                                const QuickIntervals& intervals) {
+                                const QuickIntervals& intervals, double distance,
+                                double displacement) {
+  constexpr double slack = tolerance::gamma<double>(20) * (1 + 0x1p-10);
   QuickSweep quick;
   const SweptPair<double> pair = rounded_edges(a, b);
-  double t = 0, error = 0;
-  std::size_t last = 0;
+  const auto half = [&](std::size_t k) {
+    return k < 3 ? a.half_lengths(int(k)) : b.half_lengths(int(k - 3));
+  };
+  const double edges = 1.75 * (half(0) + half(1) + half(2) + half(3) + half(4) + half(5));
+  double error = 0, offset = 0, speed = 1;
+  Vector3<double> axis;
   for (std::size_t k = 0; k < 15; ++k) {
     if (!intervals.may_be_last(k)) continue;
-    const BoundedTimes on = bounded_times(pair, separating_axis(pair.u, pair.v, k), k);
-    const double speed = std::abs(on.times.speed);
-    const double first = on.times.begins() / speed;
-    if (!(speed > 4 * on.off_speed)) return quick;
+    const Vector3<double> normal = separating_axis(pair.u, pair.v, k);
+    const AxisTimes<double> times = pair.times(normal);
+    const double of_axis = 2 * slack *
+                           (k < 3   ? half((k + 1) % 3) * half((k + 2) % 3)
+                            : k < 6 ? half(3 + (k + 1) % 3) * half(3 + (k + 2) % 3)
+                                    : half((k - 6) / 3) * half(3 + (k - 6) % 3));
+    const BoundedTimes on{times, of_axis * (distance + edges) + 0x1p-900,
+                          of_axis * displacement + 0x1p-900};
+    const double by = std::abs(times.speed);
+    if (!(by > 4 * on.off_speed)) return quick;
+    const double first = times.begins() / by;
     error = std::max(error, quotient_error(on, first));
-    if (first > t) {
-      t = first;
-      last = k;
+    if (first > quick.impact.t) {
+      quick.impact.t = first;
+      axis = normal;
+      offset = times.distance;
+      speed = times.speed;
     }
   }
-  if (!(error <= 0x1p-43 && t > 0)) return quick;
-  const Vector3<double> axis = separating_axis(pair.u, pair.v, last);
+  if (!(error <= 0x1p-43 && quick.impact.t > 0)) return quick;
   quick.end = QuickSweep::End::meet;
-  quick.impact = {std::min(1.0, t), impact_normal(axis, axis.dot(pair.d), axis.dot(pair.w), t)};
+  quick.impact.normal = impact_normal(axis, offset, speed, quick.impact.t);
+  quick.impact.t = std::min(1.0, quick.impact.t);
   return quick;
 }
 
 /// The sweep with axes that are taken as orthonormal, in the coordinates of a.
 ///
 /// Let the stored axes be orthonormal to 2^-20, as translating_box() requires. Then they are within
-/// 2^-18.5 of orthonormal ones (their polar factor). The stored boxes' fifteen axes, divided by the
-/// half lengths in them, are within 2^-17 of those of orthonormal boxes, and a product of two
-/// numbers like a_i · b_j and a_k · d within 2^-16.5 |d|. With the rounding, distances are within
-/// 2^-14 |d| of the numbers here, speeds within 2^-14 |w| and extents within 2^-14 of the sum of
-/// half lengths. So a pair that is certain with these errors is certain. If they meet,
-/// bounded_times() gives the time on each axis that may be the last: the time of impact is the
-/// largest of these.
+/// 2^-19.4 of orthonormal ones (their polar factor), and the stored boxes' fifteen axes, divided by
+/// the half lengths in them, within 2^-18.4 of those of the orthonormal boxes. A product a_i · b_j
+/// is within 2^-18.4 of that of these, a_k · d within 2^-19.4 |d|, so a sum of two products of both
+/// within 2^-16.8 |d|. With the axis that is 2^-16.4 |d|, and with the rounding less than 2^-16 |d|
+/// for distances, 2^-16 |w| for speeds and 2^-16 of the sum of half lengths for extents. So a pair
+/// that is certain with these errors is certain. If they meet, last_to_begin() gives the time.
 /// @return unsure also if a size is out of range
 inline QuickSweep quick_sweep(const TranslatingBox<double>& a, const TranslatingBox<double>& b) {
   const auto dot = [](const auto& x, const Vector3<double>& y) {
@@ -184,7 +204,7 @@ inline QuickSweep quick_sweep(const TranslatingBox<double>& a, const Translating
       std::min(std::min({of_a[0], of_a[1], of_a[2]}), std::min({of_b[0], of_b[1], of_b[2]}));
   QuickSweep quick;
   if (!(distance + displacement < 0x1p98 && least > 0x1p-98)) return quick;
-  QuickIntervals intervals(0x1p-14 * distance, 0x1p-14 * displacement);
+  QuickIntervals intervals(0x1p-16 * distance, 0x1p-16 * displacement);
   quick.end = QuickSweep::End::apart;
   double c[3][3], absolute[3][3], da[3], wa[3];  // c: a_i · b_j
   for (int i = 0; i < 3; ++i) {
@@ -227,7 +247,7 @@ inline QuickSweep quick_sweep(const TranslatingBox<double>& a, const Translating
     quick.end = QuickSweep::End::meet;
     return quick;
   }
-  return last_to_begin(a, b, intervals);
+  return last_to_begin(a, b, intervals, sum(d), displacement);
 }
 // [/quick-sweep]
 

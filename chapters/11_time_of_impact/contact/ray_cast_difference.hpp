@@ -178,29 +178,34 @@ class RayCast {
 };
 // [/ray-cast]
 
-/// Vertex i of a core, in a number type with + − ×.
-template <class T, PolytopeCore Body>
-Triple<T> vertex_in(const Body& body, int i) {
-  using S = ScalarOf<Body>;
-  const auto plus = [](const Triple<T>& x, const Triple<T>& y) {
-    return Triple<T>{x[0] + y[0], x[1] + y[1], x[2] + y[2]};
-  };
-  if constexpr (std::same_as<Body, OrientedBox<S>>) {
-    Triple<T> corner = triple<T>(body.centre);
-    for (int k = 0; k < 3; ++k) {
-      const T half((i >> k & 1) != 0 ? body.half_lengths(k) : -body.half_lengths(k));
-      const Triple<T> axis = triple<T>(body.axes.col(k));
-      corner = plus(corner, {axis[0] * half, axis[1] * half, axis[2] * half});
-    }
-    return corner;
-  } else if constexpr (std::same_as<Body, Lozenge<S>>) {
-    Triple<T> corner = triple<T>(body.corner);
-    if ((i & 1) != 0) corner = plus(corner, triple<T>(body.first_edge));
-    if ((i & 2) != 0) corner = plus(corner, triple<T>(body.second_edge));
-    return corner;
+/// The stored position from which vertices of a core are offset: see vertex_from_position().
+template <PolytopeCore Body>
+const Vector3<double>& position_of_vertex(const Body& body, int i) {
+  if constexpr (std::same_as<Body, OrientedBox<double>>) {
+    return body.centre;
+  } else if constexpr (std::same_as<Body, Lozenge<double>>) {
+    return body.corner;
   } else {
-    return triple<T>(vertex(body, i));
+    return vertex(body, i);
   }
+}
+
+/// The offset of vertex i from its position, in a number type with + − ×; 0 where it is stored.
+template <class T, PolytopeCore Body>
+Triple<T> offset_in(const Body& body, int i) {
+  Triple<T> offset{};
+  const auto add = [&offset](const Vector3<double>& edge, const T& times) {
+    const Triple<T> e = triple<T>(edge);
+    for (std::size_t k = 0; k < 3; ++k) offset[k] = offset[k] + e[k] * times;
+  };
+  if constexpr (std::same_as<Body, OrientedBox<double>>) {
+    for (int k = 0; k < 3; ++k)
+      add(body.axes.col(k), T((i >> k & 1) != 0 ? body.half_lengths(k) : -body.half_lengths(k)));
+  } else if constexpr (std::same_as<Body, Lozenge<double>>) {
+    if ((i & 1) != 0) add(body.first_edge, T(1.0));
+    if ((i & 2) != 0) add(body.second_edge, T(1.0));
+  }
+  return offset;
 }
 
 // [certainly-meet]
@@ -221,9 +226,11 @@ bool certainly_meet(const CommonPointInMotion& common, const A& a,
   rounded.fill(Vector3<double>::Zero());
   const auto count = std::size_t(common.count);
   for (std::size_t i = 0; i < count; ++i) {
-    d[i] = minus(vertex_in<T>(a, common.of_a[i]), vertex_in<T>(b, common.of_b[i]));
+    const int p = common.of_a[i], q = common.of_b[i];
+    d[i] = minus(triple<T>(position_of_vertex(a, p)), triple<T>(position_of_vertex(b, q)));
+    const Triple<T> offset = minus(offset_in<T>(a, p), offset_in<T>(b, q));
     for (std::size_t k = 0; k < 3; ++k) {
-      d[i][k] = d[i][k] + w[k] * T(common.times[i]);
+      d[i][k] = (d[i][k] + w[k] * T(common.times[i])) + offset[k];
       rounded[i](int(k)) = d[i][k].value;
     }
   }

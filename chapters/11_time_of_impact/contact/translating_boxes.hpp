@@ -118,11 +118,14 @@ struct SweptPair {
   std::array<bool, 9> parallel{};
 
   AxisTimes<T> times(const Vector3<T>& axis) const {
-    const auto magnitude = [](const T& x) { return x < T(0) ? T(-x) : x; };
+    using std::abs;  // a comparison with 0 would be a branch that no processor predicts
+    const auto along = [&axis](const Vector3<T>& x) -> T {
+      return axis[0] * x[0] + axis[1] * x[1] + axis[2] * x[2];
+    };
     T radius_sum(0);
     for (std::size_t k = 0; k < 3; ++k)
-      radius_sum = radius_sum + magnitude(axis.dot(u[k])) + magnitude(axis.dot(v[k]));
-    return {axis.dot(d), axis.dot(w), radius_sum};
+      radius_sum = radius_sum + abs(along(u[k])) + abs(along(v[k]));
+    return {along(d), along(w), radius_sum};
   }
 };
 

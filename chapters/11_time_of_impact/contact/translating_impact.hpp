@@ -51,6 +51,11 @@ inline bool is_narrow(double t, double t_high) {
   return t_high - t <= 0x1p-40 * t_high || std::nextafter(t, 1) >= t_high;
 }
 
+/// Until when a meeting is looked for, from a time before which there is none.
+inline double end_of_search(double t) {
+  return std::min(1.0, std::max(t * (1 + 0x1p-41), std::nextafter(t, 1)));
+}
+
 /// A time between two others: in the middle, or where their ratio is large of their exponents.
 inline double time_between(double t, double t_high) {
   if (t_high <= 4 * t || t_high < 0x1p-1060) return t + (t_high - t) / 2;
@@ -61,7 +66,8 @@ inline double time_between(double t, double t_high) {
 // [decide-exactly]
 /// The impact without rounding, from what is proved already.
 ///
-/// Whether they meet until t_high is decided without rounding, and the time of that answer becomes
+/// First the interval in which the ray cast expects the meeting is tried. Otherwise whether they
+/// meet until t_high is decided without rounding, and the time of that answer becomes
 /// one end of the interval. A plane that separates them until t separates them at least until it
 /// closes, which is close to the impact (Newton's method). Every other time lies in the middle, so
 /// the interval at least halves with each two.
@@ -80,6 +86,15 @@ TranslatingImpact decide_exactly(const A& a, const B& b, const Vector3<Exact>& w
     }
     return answer.meets;
   };
+  if (start.count > 0 && found.t > 0) {  // the ray cast has found both times
+    const SweptAnswer answer = difference.between(found.t, end_of_search(found.t), start);
+    if (answer.meets) {
+      found.meets = true;
+      found.t_high = end_of_search(found.t);
+      found.common = answer.common;
+      return found;
+    }
+  }
   if (!(found.t > 0) && ask(0)) {
     found.meets = true;
     found.t = 0;
@@ -93,7 +108,7 @@ TranslatingImpact decide_exactly(const A& a, const B& b, const Vector3<Exact>& w
   found.meets = true;
   bool middle = false;
   while (!is_narrow(found.t, found.t_high)) {
-    const double near = std::max(found.t * (1 + 0x1p-41), std::nextafter(found.t, 1));
+    const double near = end_of_search(found.t);
     const bool useful = !middle && near < found.t_high;
     ask(useful ? near : time_between(found.t, found.t_high));
     middle = !middle;
@@ -131,7 +146,7 @@ TranslatingImpact find_translating_impact(const A& a, const Vector3<double>& dis
     }
   }
   if (candidate.end == CastCandidate::End::meets) {
-    const double t_high = std::min(1.0, found.t * (1 + 0x1p-41));
+    const double t_high = found.t > 0 ? end_of_search(found.t) : 0;
     common = ray.meeting_at(t_high);
     if (certainly_meet(common, a, displacement_a, b, displacement_b)) {
       found.meets = true;
