@@ -183,7 +183,9 @@ boxes::Box read_box(const Case& c, const std::string& name) {
   if (c.has(name + "_axes")) {
     const std::vector<double> n = c.numbers(name + "_axes");
     for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < 3; ++i) box.frame.axes(i, k) = n.at(static_cast<std::size_t>(3 * k + i));
+      for (int i = 0; i < 3; ++i) {
+        box.frame.axes(i, k) = n.at(3 * static_cast<std::size_t>(k) + static_cast<std::size_t>(i));
+      }
     }
   }
   return box;
