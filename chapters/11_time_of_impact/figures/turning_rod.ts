@@ -337,10 +337,15 @@ export default defineFigure<Input, Output>({
   },
   describe(_input, output) {
     const { advances, ended, time, touches, touch_time, overlapping, samples } = output;
+    if (touches && touch_time === 0) return "The rod touches its target at the start.";
     const steps = advances === 1 ? "One advance" : `${advances} advances`;
+    const end = advances === 1 ? "ends" : "end";
+    const before = touches
+      ? `before the touch at ${pretty(touch_time, 4)}`
+      : `where the rod is closer than ${output.tolerance} m, but it never touches`;
     const found =
       ended === TOUCHES
-        ? `${steps} end${advances === 1 ? "s" : ""} at ${pretty(time, 4)} of the step, before the touch at ${pretty(touch_time, 4)}`
+        ? `${steps} ${end} at ${pretty(time, 4)} of the step, ${before}`
         : ended === CLEAR
           ? `${steps} prove${advances === 1 ? "s" : ""} that there is no touch in the step`
           : `${steps} reach only ${pretty(time, 4)} of the step`;
