@@ -171,7 +171,7 @@ void add_fall(hard_cases::Runner& runner) {
            return t > 0 ? Time(t) : std::nullopt;
          });
   method("book", [](const Ball& ball, const V& v, const V& g, const Plane& plane) {
-    return contact::ballistic_sphere_plane(ball, v, g, plane);
+    return contact::ballistic_impact(ball, v, g, plane);
   });
 }
 
@@ -211,7 +211,7 @@ void add_boxes(hard_cases::Runner& runner) {
     end_a.frame.origin += a.displacement;
     end_b.frame.origin += b.displacement;
     end_a.displacement = end_b.displacement = V(0, 0, 0);
-    return contact::box_sweep(end_a, end_b) ? Time(1) : std::nullopt;
+    return contact::box_impact(end_a, end_b) ? Time(1) : std::nullopt;
   });
   method("a hundred slices", [](const Box& a, const Box& b) -> Time {
     const auto overlap = [&](double t) {
@@ -220,7 +220,7 @@ void add_boxes(hard_cases::Runner& runner) {
       at_a.frame.origin += a.displacement * t;
       at_b.frame.origin += b.displacement * t;
       at_a.displacement = at_b.displacement = V(0, 0, 0);
-      return contact::box_sweep(at_a, at_b).has_value();
+      return contact::box_impact(at_a, at_b).has_value();
     };
     const auto seen = contact::sliced_step<double>(overlap, 1.0, 100);
     if (!seen) return std::nullopt;
@@ -246,7 +246,7 @@ void add_boxes(hard_cases::Runner& runner) {
   method("six face axes", [swept](const Box& a, const Box& b) { return swept(a, b, 6); });
   method("fifteen axes, rounded", [swept](const Box& a, const Box& b) { return swept(a, b, 15); });
   method("book", [](const Box& a, const Box& b) -> Time {
-    const auto touch = contact::box_sweep(a, b);
+    const auto touch = contact::box_impact(a, b);
     return touch ? Time(touch->t) : std::nullopt;
   });
 }

@@ -318,7 +318,7 @@ TEST_CASE(
     const auto touch_at = [&](double t) {
       boxes::Box at_a{contact::frame_at(a, t), a.half_lengths, V(0, 0, 0)};
       boxes::Box at_b{contact::frame_at(b, t), b.half_lengths, V(0, 0, 0)};
-      return contact::box_sweep(at_a, at_b).has_value();
+      return contact::box_impact(at_a, at_b).has_value();
     };
     if (end.t > 0) {
       for (int k = 0; k < 60; ++k) CHECK_FALSE(touch_at(end.t * k / 60));
@@ -332,7 +332,7 @@ TEST_CASE(
     if (i % 2 == 1) {
       boxes::Box at_a{contact::frame_at(a, 0.0), a.half_lengths, a.velocity};
       boxes::Box at_b{contact::frame_at(b, 0.0), b.half_lengths, b.velocity};
-      const auto swept = contact::box_sweep(at_a, at_b);
+      const auto swept = contact::box_impact(at_a, at_b);
       if (swept) {
         REQUIRE(end.end == ConservativeEnd::impact);
         CHECK(end.t <= swept->t + 0x1p-40);

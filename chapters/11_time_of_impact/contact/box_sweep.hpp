@@ -207,16 +207,4 @@ std::optional<S> aabb_impact(const Aabb<S>& a, const Vector3<S>& displacement_a,
 }
 // [/aabb-impact]
 
-/// The former name of box_impact().
-inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& a,
-                                                  const TranslatingBox<double>& b) {
-  return box_impact(a, b);
-}
-/// The former name of aabb_impact().
-template <std::floating_point S>
-std::optional<S> aabb_sweep(const Aabb<S>& a, const Vector3<S>& displacement_a, const Aabb<S>& b,
-                            const Vector3<S>& displacement_b) {
-  return aabb_impact(a, displacement_a, b, displacement_b);
-}
-
 }  // namespace contact

@@ -31,9 +31,9 @@ enum class ConservativeEnd {
 template <std::floating_point S>
 struct ConservativeAdvance {
   ConservativeEnd end = ConservativeEnd::clear;  ///< how it ended
-  S t = S(0);                                    ///< s; the bodies do not touch before it
-  S distance = S(0);                             ///< the lower bound on their distance at t, m
-  int advances = 0;                              ///< number of distance evaluations
+  S t = S(0);         ///< in the unit of the duration; the bodies do not touch before it
+  S distance = S(0);  ///< the lower bound on their distance at t, m
+  int advances = 0;   ///< number of distance evaluations
 };
 
 // [conservative-advancement]
@@ -46,8 +46,9 @@ struct ConservativeAdvance {
 /// @param distance distance(t): a lower bound on the distance of the bodies at t, m; defined for
 /// all t, at most 0 where they touch
 /// @param approach μ, an upper bound on the speed at which any two of their points approach in the
-/// step, m/s, finite and not negative; see approach_bound()
-/// @param duration of the step, s, finite and not negative
+/// step, m for each unit of time, finite and not negative; see approach_bound()
+/// @param duration of the step, finite and not negative: 1 for times that are fractions of the
+/// step, and then speeds are displacements in the step; or in s, with speeds in m/s
 /// @param tolerance m, greater than 0: an impact is where the lower bound is no greater. It must
 /// exceed the rounding error of `distance`
 /// @param max_advances at least 1
@@ -90,7 +91,9 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
 }
 // [/conservative-advancement]
 
-/// A box that moves with constant velocity and angular velocity about its centre during a step.
+/// A box that moves with constant velocity and angular velocity about its centre during a step. The
+/// unit of time is that of the step's duration: with a duration of 1 these are a displacement and
+/// an angle in the step.
 template <std::floating_point S>
 struct RotatingBox {
   Vector3<S> position = Vector3<S>::Zero();      ///< of its centre at the start, m
@@ -102,7 +105,7 @@ struct RotatingBox {
 };
 
 /// Position and orientation of the box at a time.
-/// @param t s
+/// @param t in the unit of the velocities
 template <std::floating_point S>
 CoordinateFrame<S> frame_at(const RotatingBox<S>& box, S t) {
   const Quaternion<S> rotation = exponential<S>(box.angular_velocity * t);
@@ -112,7 +115,7 @@ CoordinateFrame<S> frame_at(const RotatingBox<S>& box, S t) {
 // [approach-bound]
 /// An upper bound on the speed at which any two points of two boxes approach each other: |v_a −
 /// v_b| + |ω_a| r_a + |ω_b| r_b, where r is half the diagonal of a box. Rounded upwards.
-/// @return m/s
+/// @return m for each unit of time of the velocities
 template <std::floating_point S>
 S approach_bound(const RotatingBox<S>& a, const RotatingBox<S>& b) {
   const auto length = [](const Vector3<S>& v) {
@@ -166,7 +169,7 @@ S axis_distance(const CoordinateFrame<S>& a, const Vector3<S>& half_a, const Coo
 /// The time at which two boxes with constant velocities and angular velocities first come within
 /// the tolerance of each other.
 /// @param a, b with orthonormal axes and positive half lengths
-/// @param duration of the step, s
+/// @param duration of the step, in the unit of time of the velocities
 /// @param tolerance m, well above 2^-45 of the boxes' sizes and distance
 /// @param max_advances at least 1
 /// @return see ConservativeAdvance. If two edges stay parallel to 2^-10 while their axis is the
@@ -189,7 +192,7 @@ ConservativeAdvance<S> rotating_boxes_impact(const RotatingBox<S>& a, const Rota
 /// Its distance from the plane has a closed form: that of the centre less the support of the half
 /// lengths along the normal, n·c − k − Σ hⱼ |n·axisⱼ|.
 /// @param plane with a unit normal; the half-space behind it is solid
-/// @param duration of the step, s
+/// @param duration of the step, in the unit of time of the velocities
 /// @param tolerance m
 /// @param max_advances at least 1
 template <std::floating_point S>
