@@ -22,13 +22,13 @@ namespace detail {
 
 /// The terms of two moving spheres in a number type with + − ×: see entry_terms().
 template <class T>
-struct SphereTerms {
+struct MovingSphereTerms {
   T square, approach, gap, depth;
 };
 
 template <class T, FloatOrDouble S>
-SphereTerms<T> sphere_terms(const Sphere<S>& a, const Vector3<S>& displacement_a,
-                            const Sphere<S>& b, const Vector3<S>& displacement_b) {
+MovingSphereTerms<T> moving_sphere_terms(const Sphere<S>& a, const Vector3<S>& displacement_a,
+                                         const Sphere<S>& b, const Vector3<S>& displacement_b) {
   const auto difference = [](const Vector3<S>& x, const Vector3<S>& y) {
     return minus(triple<T>(x.template cast<double>()), triple<T>(y.template cast<double>()));
   };
@@ -43,7 +43,7 @@ SphereTerms<T> sphere_terms(const Sphere<S>& a, const Vector3<S>& displacement_a
 /// −1: no touch in the step; 0: they meet at the start; 1: a touch later. `sure` becomes false if a
 /// sign is not certain.
 template <class T>
-int spheres_touch(const SphereTerms<T>& t, bool& sure) {
+int moving_spheres_touch(const MovingSphereTerms<T>& t, bool& sure) {
   if (sign_of(t.gap, sure) <= 0) return 0;
   if (sign_of(t.approach, sure) <= 0 || sign_of(t.depth, sure) < 0) return -1;
   // In the step if the closest approach is, or if the gap at its end is closed.
@@ -77,8 +77,9 @@ std::optional<S> moving_spheres_impact(const Sphere<S>& a, const Vector3<S>& dis
     return std::nullopt;
   }
   bool sure = true;
-  const auto rounded = detail::sphere_terms<RunningError>(a, displacement_a, b, displacement_b);
-  int touch = detail::spheres_touch(rounded, sure);
+  const auto rounded =
+      detail::moving_sphere_terms<RunningError>(a, displacement_a, b, displacement_b);
+  int touch = detail::moving_spheres_touch(rounded, sure);
   if (sure) {
     if (touch < 0) return std::nullopt;
     if (touch == 0) return S(0);
@@ -86,8 +87,8 @@ std::optional<S> moving_spheres_impact(const Sphere<S>& a, const Vector3<S>& dis
     if (t.bound <= 30 * tolerance::unit_roundoff<S> * t.value)
       return std::min(S(1), static_cast<S>(t.value));
   }
-  const auto exact = detail::sphere_terms<Exact>(a, displacement_a, b, displacement_b);
-  touch = detail::spheres_touch(exact, sure);
+  const auto exact = detail::moving_sphere_terms<Exact>(a, displacement_a, b, displacement_b);
+  touch = detail::moving_spheres_touch(exact, sure);
   if (touch < 0) return std::nullopt;
   if (touch == 0) return S(0);
   return std::min(
