@@ -9,6 +9,7 @@
 #include <cmath>
 #include <contact/box_sweep.hpp>
 #include <contact/conservative_advancement.hpp>
+#include <contact/moving_spheres.hpp>
 #include <contact/moving_triangles.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/translating_impact.hpp>
@@ -123,7 +124,7 @@ void compare_translating(const toi_scenes::Translating& scene, int runs, Totals&
       {"Contact Hours, box_sweep",
        [&](Answers& answers) {
          for (std::size_t i = 0; i < pairs.size(); ++i) {
-           const auto touch = contact::box_sweep(pairs[i][0], pairs[i][1]);
+           const auto touch = contact::box_impact(pairs[i][0], pairs[i][1]);
            answers[i] = {touch.has_value(), touch ? touch->t : 0, false};
          }
        }},
@@ -176,6 +177,18 @@ void compare_bodies(const body_scenes::Scene& scene, int runs, Totals& totals) {
            answers[i] = {found.meets, found.t, false};
          }
        }}};
+  using Ball = contact::Sphere<double>;
+  if (std::holds_alternative<Ball>(pairs[0].a) && std::holds_alternative<Ball>(pairs[0].b)) {
+    methods.push_back({"Contact Hours, moving_spheres_impact", [&pairs](Answers& answers) {
+                         for (std::size_t i = 0; i < pairs.size(); ++i) {
+                           const auto& p = pairs[i];
+                           const auto t = contact::moving_spheres_impact(
+                               std::get<Ball>(p.a), p.displacement_a, std::get<Ball>(p.b),
+                               p.displacement_b);
+                           answers[i] = {t.has_value(), t.value_or(0), false};
+                         }
+                       }});
+  }
   std::vector<peers::BodyCaster> casters;
 #ifdef CONTACT_HAS_FCL
   for (const auto& caster : peers::fcl_body_casters()) casters.push_back(caster);
