@@ -8,6 +8,7 @@
 #include <cmath>
 #include <contact/bisection.hpp>
 #include <contact/conservative_advancement.hpp>
+#include <contact/moving_spheres.hpp>
 #include <contact/offset_plane.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/previous_free_state.hpp>
@@ -228,11 +229,16 @@ inline void add_balls(hard_cases::Runner& runner) {
   });
   method("textbook formula, float", textbook_quadratic<float>);
   method("textbook formula, double", textbook_quadratic<double>);
-  runner.method("balls in a step", "book", [read](const Case& c, const Json& answer) {
-    const BallStep p = read(c);
-    const auto found = contact::translating_impact(p.a, p.displacement_a, p.b, p.displacement_b);
-    return right_bounds(found.meets, found.t, found.t_high, answer);
+  method("book", [](const BallStep& p) {
+    return contact::moving_spheres_impact(p.a, p.displacement_a, p.b, p.displacement_b);
   });
+  runner.method("balls in a step", "book: bodies of any kind",
+                [read](const Case& c, const Json& answer) {
+                  const BallStep p = read(c);
+                  const auto found =
+                      contact::translating_impact(p.a, p.displacement_a, p.b, p.displacement_b);
+                  return right_bounds(found.meets, found.t, found.t_high, answer);
+                });
 }
 
 struct CornerStep {
