@@ -7,8 +7,8 @@ namespace exercise {
 
 Shot through_the_plate() { contact::todo(); }
 
-Pass graze_missed_again() { contact::todo(); }
+Shot graze_missed_again() { contact::todo(); }
 
-Pass lost_by_finer_slices() { contact::todo(); }
+Shot lost_by_finer_slices() { contact::todo(); }
 
 }  // namespace exercise

@@ -1,6 +1,6 @@
 /// @file
-/// Code to break: whether moving bodies meet, by tests of overlap at the ends of equal slices of
-/// the step, as programs do it.
+/// Code to break: whether a moving disc meets an obstacle at rest, by tests of overlap at the ends
+/// of equal slices of the step, as programs do it.
 #pragma once
 
 #include <optional>
@@ -19,25 +19,25 @@ std::optional<double> first_of_slices(const Overlap& overlap, int slices) {
   return std::nullopt;
 }
 
-/// When a bullet first touches a plate: a ball that moves perpendicular to the plate, from start to
-/// start + displacement of its centre.
+/// When the disc touches a plate: all points with 0 <= x <= size.
 template <class Shot>
-std::optional<double> bullet_meets_plate(const Shot& shot, int slices) {
+std::optional<double> meets_plate(const Shot& shot, int slices) {
   return first_of_slices(
       [&](double t) {
-        const double x = shot.start + t * shot.displacement;
-        return x + shot.radius >= shot.plate && x - shot.radius <= shot.plate + shot.thickness;
+        const double x = shot.start.x() + t * shot.displacement.x();
+        return x + shot.radius >= 0 && x - shot.radius <= shot.size;
       },
       slices);
 }
 
-/// When a moving disc first touches one whose centre is at rest at the origin.
-template <class Pass>
-std::optional<double> disc_meets_disc(const Pass& pass, int slices) {
+/// When the disc touches another one, of radius size about the origin.
+template <class Shot>
+std::optional<double> meets_disc(const Shot& shot, int slices) {
   return first_of_slices(
       [&](double t) {
-        const Eigen::Vector2d centre = pass.start + t * pass.displacement;
-        return centre.squaredNorm() <= pass.radii * pass.radii;
+        const Eigen::Vector2d centre = shot.start + t * shot.displacement;
+        const double radius_sum = shot.radius + shot.size;
+        return centre.squaredNorm() <= radius_sum * radius_sum;
       },
       slices);
 }
