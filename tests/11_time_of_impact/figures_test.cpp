@@ -5,11 +5,11 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/conservative_advancement.hpp>
+#include <contact/moving_spheres.hpp>
 #include <contact/offset_plane.hpp>
 #include <contact/sine_cosine.hpp>
 #include <contact/sliced_steps.hpp>
 #include <contact/sphere_capsule_impact.hpp>
-#include <contact/sphere_sphere_impact.hpp>
 #include <contact/swept_volumes.hpp>
 #include <cstddef>
 #include <limits>

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <concepts>
 #include <contact/entry_time.hpp>
+#include <contact/moving_spheres.hpp>
 #include <contact/quadratic_roots.hpp>
-#include <contact/running_error.hpp>
-#include <contact/sphere_sphere_impact.hpp>
 #include <contact/translating_impact.hpp>
 #include <optional>
 #include <string>
@@ -116,30 +115,11 @@ inline Answer proven(const Input& input) {
   return hit_at(impact.t);
 }
 
-/// Rounded terms with bounds on their errors; where a sign is not certain, or the time would have
-/// fewer than 40 digits, exact ones.
 inline Answer exactly(const Input& input) {
-  using Number = contact::RunningError;
-  namespace of = contact::detail;
   const auto& [a, b, displacement_a, displacement_b] = input.pair;
-  const auto d = of::minus(of::triple<Number>(a.centre), of::triple<Number>(b.centre));
-  const auto w = of::minus(of::triple<Number>(displacement_a), of::triple<Number>(displacement_b));
-  const Number reach = Number(a.radius) + Number(b.radius), reach_squared = reach * reach;
-  const Number gap = of::dot(d, d) - reach_squared;
-  bool sure = true;
-  if (of::sign_of(gap, sure) <= 0 && sure) return hit_at(0);
-  const Number square = of::dot(w, w), approach = -of::dot(d, w);
-  if (of::sign_of(approach, sure) <= 0 && sure) return {};
-  const auto across = of::cross(d, w);
-  const Number depth = reach_squared * square - of::dot(across, across);
-  if (of::sign_of(depth, sure) < 0 && sure) return {};
-  // Without a touch by the end they are still approaching, and the gap is open.
-  const Number rest = approach - square;
-  if (sure && of::sign_of(rest, sure) > 0 && of::sign_of(gap - approach - rest, sure) > 0 && sure)
-    return {};
-  const auto enough = [](const Number& x) { return x.bound <= 0x1p-40 * x.value; };
-  if (!sure || !enough(gap) || !enough(approach) || !enough(depth)) return truth(input);
-  return hit_at(std::min(1.0, gap.value / (approach.value + std::sqrt(depth.value))));
+  const auto t = contact::moving_spheres_impact(a, displacement_a, b, displacement_b);
+  if (!t) return {};
+  return hit_at(*t);
 }
 
 /// How a method is set in the figure: slices and halvings.

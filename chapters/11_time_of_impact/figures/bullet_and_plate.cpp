@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <contact/figure.hpp>
+#include <contact/moving_spheres.hpp>
 #include <contact/offset_plane.hpp>
 #include <contact/sine_cosine.hpp>
 #include <contact/sliced_steps.hpp>
 #include <contact/sphere_capsule_impact.hpp>
-#include <contact/sphere_sphere_impact.hpp>
 #include <contact/swept_volumes.hpp>
 #include <cstddef>
 #include <limits>
@@ -129,10 +129,7 @@ std::optional<double> first_touch(const Motion& m) {
   const Vector displacement = space(m.displacement);
   if (!m.plate) {
     const Ball other{space(m.other_from), m.other_radius};
-    const Vector other_displacement = space(m.other_displacement);
-    if (!contact::spheres_touch_by(bullet, displacement, other, other_displacement, 1.0))
-      return std::nullopt;
-    return contact::sphere_sphere_impact(bullet, displacement, other, other_displacement);
+    return contact::moving_spheres_impact(bullet, displacement, other, space(m.other_displacement));
   }
   const auto corner = [&m](int x, int y) {
     return space(m.other_from + Point(x * m.half.x(), y * m.half.y()));
