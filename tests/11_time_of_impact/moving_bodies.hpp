@@ -105,6 +105,30 @@ inline Body body(Random& random, int kind, const V& centre, const Style& style) 
   }
 }
 
+/// The body at a time, up to rounding.
+inline Body moved(const Body& body, const V& by) {
+  Body result = body;
+  std::visit(
+      [&by](auto& b) {
+        if constexpr (requires { b.vertices; }) {
+          for (V& v : b.vertices) v += by;
+        } else if constexpr (requires { b.core; }) {
+          b.core.start += by;
+          b.core.end += by;
+        } else if constexpr (requires { b.corner; }) {
+          b.corner += by;
+        } else if constexpr (requires { b.a; }) {
+          b.a += by;
+          b.b += by;
+          b.c += by;
+        } else {
+          b.centre += by;
+        }
+      },
+      result);
+  return result;
+}
+
 /// A pair of the family and of two kinds.
 inline Pair make(Random& random, Family family, int kind_a, int kind_b) {
   Style style_a;

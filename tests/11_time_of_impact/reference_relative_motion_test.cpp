@@ -3,6 +3,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <contact/moving_spheres.hpp>
 #include <contact/relative_motion.hpp>
 #include <contact/sphere_sphere_impact.hpp>
 #include <limits>
@@ -87,6 +88,24 @@ TEST_CASE("spheres that touch in a step have paths that meet") {
   }
   CHECK(touches > tried(50));
   CHECK(only_paths > tried(50));
+}
+
+TEST_CASE("swept volumes decide where one of two spheres is at rest") {
+  Random random(53);
+  int touches = 0, passes = 0;
+  for (int i = 0; i < tried(2000); ++i) {
+    const auto any = [&](double size) -> V {
+      return i % 2 == 0 ? moving_bodies::on_integers(random, int(size))
+                        : V(moving_bodies::in_cube(random, size));
+    };
+    const contact::Sphere<double> a{any(3), 1}, b{any(3), 0.5};
+    const V way = any(5), rest(0, 0, 0);
+    const bool touch = contact::moving_spheres_impact(a, way, b, rest).has_value();
+    CHECK(contact::swept_spheres_meet(a, way, b, rest) == touch);
+    ++(touch ? touches : passes);
+  }
+  CHECK(touches > tried(100));
+  CHECK(passes > tried(300));
 }
 
 TEST_CASE("points with the same motion are closest at the start") {
