@@ -121,7 +121,7 @@ void compare_translating(const toi_scenes::Translating& scene, int runs, Totals&
                       contact::OrientedBox<double>{b.frame.origin, b.frame.axes, b.half_lengths}});
   }
   std::vector<comparison::Method<Answers>> methods{
-      {"Contact Hours, box_sweep",
+      {"Contact Hours, box_impact",
        [&](Answers& answers) {
          for (std::size_t i = 0; i < pairs.size(); ++i) {
            const auto touch = contact::box_impact(pairs[i][0], pairs[i][1]);
