@@ -111,7 +111,9 @@ void check_pair(Random& random, const A& a, const Motion& motion_a, const B& b,
   const auto now_a = contact::moved_body(a, motion_a, found.t);
   const auto now_b = contact::moved_body(b, motion_b, found.t);
   const double distance = contact::signed_distance(now_a, now_b).distance;
-  CHECK(distance <= tolerance * (1 + 0x1p-10));
+  const double size = std::max(contact::gjk_detail::largest_number(now_a),
+                               contact::gjk_detail::largest_number(now_b));
+  CHECK(distance <= tolerance * (1 + 0x1p-10) + 0x1p-40 * size);
   CHECK(found.distance <= std::max(distance, 0.0) + 0x1p-40);
   if (found.t > 0) {
     CHECK(std::abs(found.normal.norm() - 1) < 0x1p-40);
