@@ -19,7 +19,6 @@ struct Ways {
   bool other_at_rest = false;    ///< only a moves
   bool added = false;            ///< displacements are added
   bool one_radius = false;       ///< that of b is left out
-  bool as_points = false;        ///< and that of a too
   bool start_missed = false;     ///< a contact at the start is not found
   bool leaving_missed = false;   ///< nor one that they leave at once
   bool exit_at_start = false;    ///< spheres that overlap touch when they separate
@@ -54,7 +53,6 @@ inline std::optional<Contact> meet(const MovingSphere& a, const MovingSphere& b,
   if (ways.added) w = a.displacement + b.displacement;
   double radius_sum = a.radius + b.radius;
   if (ways.one_radius) radius_sum = a.radius;
-  if (ways.as_points) radius_sum = 0;
   const double gap = d.squaredNorm() - radius_sum * radius_sum;
   const double approach = -d.dot(w);
   const double square = w.squaredNorm();
