@@ -47,6 +47,7 @@ struct OffsetPlane {
   T closing;   ///< by how much the gap shrinks in the step
 };
 
+// [offset-plane]
 /// The offset plane of the side on which the centre starts; `sure` becomes false if that side is
 /// not certain. A centre on the plane counts as in front unless it moves to the front: then the
 /// motion is against the normal, or along the plane.
@@ -64,10 +65,10 @@ int touches_offset_plane(const OffsetPlane<T>& plane, bool& sure) {
   if (sign_of(plane.gap, sure) <= 0) return 0;
   return sign_of(plane.closing - plane.gap, sure) >= 0 ? 1 : -1;
 }
+// [/offset-plane]
 
 }  // namespace detail
 
-// [offset-plane]
 /// When and where a moving sphere first touches a plane, which it can do from either side.
 ///
 /// At the first touch the distance of the centre from the plane is r: the centre is on the plane
@@ -129,6 +130,5 @@ std::optional<MovingSphereHit<S>> sphere_plane_impact(const Sphere<S>& sphere,
       touch > 0 ? sphere.radius : S(front ? S(1) : S(-1)) * signed_distance(plane, sphere.centre);
   return MovingSphereHit<S>{t, centre, Vector3<S>(centre - along * normal + zero), normal};
 }
-// [/offset-plane]
 
 }  // namespace contact

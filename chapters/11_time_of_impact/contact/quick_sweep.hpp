@@ -84,7 +84,6 @@ struct QuickSweep {
   BoxImpact<double> impact;  ///< if they meet
 };
 
-// [quick-sweep]
 /// The intervals of overlap on all axes so far, each end with its two bounds, in fractions of the
 /// step.
 class QuickIntervals {
@@ -93,6 +92,7 @@ class QuickIntervals {
   QuickIntervals(double error, double error_of_speed)
       : error_(error), error_of_speed_(error_of_speed), doubt_(error + error_of_speed) {}
 
+  // [quick-axis]
   /// Adds axis k.
   /// @return whether it proves that the boxes are apart throughout
   bool add(std::size_t k, double distance, double speed, double extents) {
@@ -117,6 +117,7 @@ class QuickIntervals {
     end_high_ = std::min(end_high_, last + off_last);
     return begin_low_ > end_high_;
   }
+  // [/quick-axis]
   /// Whether it is certain that the boxes meet, and whether they do at the start.
   bool certain() const {
     return !unsure_ && begin_high_ <= end_low_ && (begin_low_ > 0 || begin_high_ <= 0);
@@ -249,6 +250,5 @@ inline QuickSweep quick_sweep(const TranslatingBox<double>& a, const Translating
   }
   return last_to_begin(a, b, intervals, sum(d), displacement);
 }
-// [/quick-sweep]
 
 }  // namespace contact::detail

@@ -33,7 +33,6 @@ struct CastCandidate {
   Vector3<double> normal = Vector3<double>::Zero();  ///< of the last plane; 0: none separated them
 };
 
-// [ray-cast]
 /// A GJK ray cast, rounded.
 ///
 /// Relative to B, A translates by w. They meet when the difference A − B, translated by t w, has
@@ -69,6 +68,7 @@ class RayCast {
       const double along = dot3(v, d) + found.t * dot3(v, w_);
       size_ = std::max({size_, d.cwiseAbs().maxCoeff(), (d + w_ * found.t).cwiseAbs().maxCoeff()});
       if (!(size_ < 0x1p150)) return {};
+      // [ray-cast]
       const double gap = along - radius_ * length;
       bool advanced = false;
       if (gap > 0) {
@@ -90,6 +90,7 @@ class RayCast {
       if (!known && count_ < 4) append(p, q, d);
       solve(found.t);
       if (inside_) return ended(found, true);
+      // [/ray-cast]
     }
     return found;
   }
@@ -176,7 +177,6 @@ class RayCast {
     return common;
   }
 };
-// [/ray-cast]
 
 /// The stored position from which vertices of a core are offset: see vertex_from_position().
 template <PolytopeCore Body>
