@@ -21,6 +21,9 @@ function(contact_add_reference_tests chapter)
   endforeach()
   if(sources)
     contact_add_catch_test(reference_tests_${chapter} ${library} ${sources})
+    # In one unit with the tests of the headers: compiling the functions that both call takes most of the time. Its
+    # names are in a namespace of their own.
+    set_property(SOURCE "${dir}/questions_test.cpp" PROPERTY UNITY_GROUP reference)
     # A construct question is judged by its figure's C++, which the test includes.
     target_include_directories(reference_tests_${chapter} PRIVATE "${PROJECT_SOURCE_DIR}/chapters/${chapter}"
       "${PROJECT_SOURCE_DIR}/page/figure")
