@@ -38,16 +38,16 @@ test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts
 test|valgrind|command valgrind|-|Valgrind: counts the instructions of a run
-benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons, rays, meshes, triangle pairs and bounding volumes, decided exactly
+benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons, rays, meshes, triangle pairs, bounding volumes and broad phase, decided exactly
 benchmarks|libqhull-dev|header libqhull_r/qhull_ra.h|qhull|Qhull: convex hulls
-benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes, pairs of convex bodies, times of impact and scenes
-benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes and pairs of convex bodies
+benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes, broad phase, pairs of convex bodies, times of impact and scenes
+benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes, broad phase and pairs of convex bodies
 benchmarks|libccd-dev|header ccd/ccd.h|libccd|libccd: pairs of convex bodies
-benchmarks|cargo|command cargo|rust|Cargo: unpacks the sources of Box3D and Box2D 3, for pairs of convex bodies and times of impact
+benchmarks|cargo|command cargo|rust|Cargo: unpacks the sources of Box3D and Box2D 3, for broad phase, pairs of convex bodies and times of impact
 benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane and times of impact
 benchmarks|libgeos++-dev|header geos/algorithm/PointLocation.h|geos|GEOS: points in polygons
 benchmarks|libembree-dev|header embree3/rtcore.h embree4/rtcore.h|embree|Embree 3: rays
-benchmarks|libfcl-dev|header fcl/fcl.h|fcl|FCL: segments, meshes, triangle pairs, pairs of convex bodies and times of impact
+benchmarks|libfcl-dev|header fcl/fcl.h|fcl|FCL: segments, meshes, triangle pairs, broad phase, pairs of convex bodies and times of impact
 END
 }
 

@@ -25,6 +25,8 @@ namespace frames {
 #include "figures/frames.cpp"
 }
 
+namespace questions_test {
+
 using contact::Vector3;
 
 namespace {
@@ -213,3 +215,5 @@ KEY("why-acos-fails") {
   const auto off = [](double angle) { return std::abs(std::acos(std::cos(angle)) - angle); };
   return questions::Claim{off(pi - 1e-9) > 0.5e-9, off(pi / 2 - 1e-9) > 1e-15};
 }
+
+}  // namespace questions_test

@@ -17,6 +17,8 @@ namespace segment_plane {
 #include "figures/segment_plane.cpp"
 }
 
+namespace questions_test {
+
 using Vector = contact::Vector3<double>;
 
 KEY("slope-distance") {
@@ -126,3 +128,5 @@ KEY("why-squares") {
   return questions::Claim{decided(true, 1) == decided(true, 5),
                           decided(false, 1) == decided(false, 5)};
 }
+
+}  // namespace questions_test

@@ -19,6 +19,8 @@ namespace barycentric_figure {
 #include "figures/barycentric.cpp"
 }
 
+namespace questions_test {
+
 namespace {
 
 using contact::Ray;
@@ -144,3 +146,5 @@ KEY("why-equal-rounding") {
                             return contact::intersect_moller_trumbore(ray, triangle).has_value();
                           })};
 }
+
+}  // namespace questions_test

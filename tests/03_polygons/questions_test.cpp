@@ -19,6 +19,8 @@ namespace where_figure {
 #include "figures/where.cpp"
 }
 
+namespace questions_test {
+
 namespace {
 
 using contact::Polygon;
@@ -212,3 +214,5 @@ KEY("order-for-a-wall") {
                                 {"dropped", {"area vector", "point"}},
                                 {"point", {"area vector"}}});
 }
+
+}  // namespace questions_test

@@ -16,6 +16,8 @@ namespace slabs_figure {
 #include "figures/slabs.cpp"
 }
 
+namespace questions_test {
+
 namespace {
 
 using contact::Aabb;
@@ -213,3 +215,5 @@ KEY("what-a-ray-leaves-out") {
   const bool moving_hits = contact::hits_box(in_the_wall_frame, box);
   return ball_hits != segment_hits && moving_hits != contact::hits_box(rests, box) ? 1 : 0;
 }
+
+}  // namespace questions_test

@@ -95,8 +95,9 @@ inline bool solids_meet(const Mesh<double>& a, const Mesh<double>& b) {
       }
       for (std::size_t j = 0; j < other.triangles.size(); ++j) {
         const auto face = contact::triangle_of(other, j);
-        if (edge_meets_face({t.a, t.b}, face) || edge_meets_face({t.b, t.c}, face) ||
-            edge_meets_face({t.c, t.a}, face)) {
+        if (polyhedra_truth::edge_meets_face({t.a, t.b}, face) ||
+            polyhedra_truth::edge_meets_face({t.b, t.c}, face) ||
+            polyhedra_truth::edge_meets_face({t.c, t.a}, face)) {
           return true;
         }
       }

@@ -21,6 +21,8 @@ namespace inside_figure {
 #include "figures/inside.cpp"
 }
 
+namespace questions_test {
+
 namespace {
 
 using contact::Mesh;
@@ -236,3 +238,5 @@ KEY("notches-of-a-tray") {
   CHECK(contact::mesh_volume_exactly(tray) == contact::ExactFraction(40));
   return static_cast<double>(contact::notches(tray).size());
 }
+
+}  // namespace questions_test

@@ -20,6 +20,8 @@ namespace features_figure {
 #include "figures/features.cpp"
 }
 
+namespace questions_test {
+
 namespace {
 
 using contact::CommonPoints;
@@ -335,3 +337,5 @@ KEY("inside-without-contact") {
   const std::size_t other = contact::meeting_triangles(large, small).size();
   return one != other ? 2 : one == 0 ? 1 : 0;
 }
+
+}  // namespace questions_test

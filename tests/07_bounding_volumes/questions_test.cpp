@@ -28,6 +28,8 @@ namespace two_bodies_figure {
 #include "figures/two_bodies.cpp"
 }
 
+namespace questions_test {
+
 namespace {
 
 using contact::Sphere;
@@ -202,3 +204,5 @@ KEY("numbers-to-store") {
                          {"dop", 2 * static_cast<double>(normals.size())},
                          {"obb", sizeof(contact::OrientedBox<double>) / sizeof(double)}};
 }
+
+}  // namespace questions_test

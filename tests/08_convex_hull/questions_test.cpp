@@ -18,6 +18,8 @@ namespace horizon {
 #include "figures/horizon.cpp"
 }
 
+namespace questions_test {
+
 using Flat = contact::Vector2<double>;
 using Solid = contact::Vector3<double>;
 
@@ -193,3 +195,5 @@ TEST_CASE("the chain loses vertices where the figure's caption says so") {
   CHECK(out.lost[6] == 1);
   CHECK(out.wrong_turns == 0);
 }
+
+}  // namespace questions_test

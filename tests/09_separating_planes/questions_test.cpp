@@ -19,6 +19,8 @@ namespace two_hulls_figure {
 #include "figures/two_hulls.cpp"
 }
 
+namespace questions_test {
+
 namespace {
 
 using contact::OrientedBox;
@@ -195,3 +197,5 @@ KEY("own-line") {
   in.p.x() = in.q.x() = -1.125;
   return questions::Construct{winning, two_hulls_figure::compute(in).line_found};
 }
+
+}  // namespace questions_test

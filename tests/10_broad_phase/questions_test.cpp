@@ -14,6 +14,8 @@
 #include <span>
 #include <vector>
 
+namespace questions_test {
+
 namespace {
 
 using contact::Aabb;
@@ -183,3 +185,5 @@ KEY("one-huge-body") {
   CHECK(contact::sweep_pairs(Span(boxes)).box_tests < contact::pair_count(boxes.size()) / 2);
   return tree.box_tests + tree.other_steps < 10000 ? 0 : 2;
 }
+
+}  // namespace questions_test

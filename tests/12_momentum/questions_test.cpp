@@ -23,6 +23,8 @@ namespace balance {
 #include "figures/balance.cpp"
 }
 
+namespace questions_test {
+
 using Vector = contact::Vector3<double>;
 using Body = contact::PointMass<double>;
 
@@ -178,3 +180,5 @@ TEST_CASE("in the figure of the drift only one line stays at zero") {
   CHECK(balance::compute({101, 0, 0, 0, 2, 0, 0, 0}).problem == contact::figure::too_large);
   CHECK(balance::compute({0, 0, 0, 0, 2, 0, 0, 0}).most == 0);
 }
+
+}  // namespace questions_test

@@ -16,6 +16,8 @@ namespace cradle {
 #include "figures/cradle.cpp"
 }
 
+namespace questions_test {
+
 using contact::line_body;
 
 KEY("truck-elastic") {
@@ -133,3 +135,5 @@ KEY("why-same-loss") {
                               contact::energy_lost(first_seen, second_seen, 0.5),
                           contact::kinetic_energy(first) == contact::kinetic_energy(first_seen)};
 }
+
+}  // namespace questions_test

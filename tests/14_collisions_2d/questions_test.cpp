@@ -22,6 +22,8 @@ namespace table {
 #include "figures/table.cpp"
 }
 
+namespace questions_test {
+
 using Vector = contact::Vector2<double>;
 using Disc = contact::Disc<double>;
 
@@ -163,3 +165,5 @@ KEY("why-right-angle") {
   };
   return questions::Claim{right(1), right(0.9)};
 }
+
+}  // namespace questions_test

@@ -21,6 +21,8 @@ namespace steps {
 #include "figures/steps.cpp"
 }
 
+namespace questions_test {
+
 using Vector = contact::Vector3<double>;
 using contact::StepRule;
 
@@ -119,3 +121,5 @@ KEY("higher-than-dropped") {
   state.rule = 4;
   return questions::Construct{winning, steps::compute(state).gains};
 }
+
+}  // namespace questions_test

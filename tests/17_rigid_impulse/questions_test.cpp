@@ -16,6 +16,8 @@ namespace rough_floor {
 #include "figures/rough_floor.cpp"
 }
 
+namespace questions_test {
+
 using V = contact::Vector3<double>;
 using M = contact::Matrix3<double>;
 
@@ -135,3 +137,5 @@ KEY("growing-matrix") {
   }
   return V(r.col(0)).norm();
 }
+
+}  // namespace questions_test

@@ -23,6 +23,8 @@ namespace squeeze {
 #include "figures/squeeze.cpp"
 }
 
+namespace questions_test {
+
 using contact::Integrator;
 using Line = contact::MotionState<double>;
 using Vector = contact::Vector3<double>;
@@ -184,3 +186,5 @@ KEY("no-end") {
   state.ratio = 1;
   return questions::Construct{winning, squeeze::compute(state).stubborn};
 }
+
+}  // namespace questions_test

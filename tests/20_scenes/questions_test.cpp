@@ -19,6 +19,8 @@ namespace divergence {
 #include "figures/divergence.cpp"
 }
 
+namespace questions_test {
+
 using contact::Effect;
 using contact::Scene;
 using Vector = contact::Vector3<double>;
@@ -267,3 +269,5 @@ KEY("why-friction-stays") {
   };
   return questions::Claim{on(0.01), on(0)};
 }
+
+}  // namespace questions_test

@@ -112,3 +112,17 @@ def test_a_name_declared_twice_does_not_double_with_each_build(sample: Sample) -
             page.touch()
         sample.make()
     assert size() < 1.5 * first
+
+
+def test_a_struct_that_is_gone_from_a_header_is_gone_from_its_page(sample: Sample) -> None:
+    struct = "\n/// Three of them.\nstruct Gone {\n  int a;  ///< a number\n};\n"
+    end = "\n}  // namespace contact"
+    header = "chapters/00_numbers/contact/number.hpp"
+    sample.edit(header, end, struct + end)
+    first = sample.make()
+    assert first.returncode == 0, first.stderr
+    assert "Gone" in sample.page("api/00_numbers.html")
+    sample.edit(header, struct, "")
+    again = sample.make()
+    assert again.returncode == 0, again.stderr
+    assert "Gone" not in sample.page("api/00_numbers.html")

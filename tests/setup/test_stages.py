@@ -296,3 +296,35 @@ def test_a_stage_needs_only_what_comes_before_it() -> None:
 )
 def test_a_chapter_is_checked_by_its_own_tests(test: str, asked: bool) -> None:
     assert bool(re.search(checks.tests_of(["05_meshes"]), test)) == asked
+
+
+def test_only_reports_of_this_run_are_compared_with_what_lessons_show(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left = tmp_path / "sanitize" / "hard_cases" / "02_triangles.json"
+    left.parent.mkdir(parents=True)
+    left.write_text("{}")
+    monkeypatch.setattr(checks, "BUILD", tmp_path)
+    stage = checks.sanitize()
+    for _ in range(3):  # configure, build, ctest
+        next(stage)
+    assert not left.exists()
+
+
+@pytest.mark.parametrize("fault", ["", "missing", "different"])
+def test_a_report_must_be_there_and_be_what_the_lesson_shows(tmp_path: Path, fault: str) -> None:
+    slug = "02_triangles"
+    report = json.loads((ROOT / "tests" / slug / "hard_cases.told.json").read_text("utf-8"))
+    if fault == "different":
+        report["cases"][0]["why"] += "!"
+    if fault != "missing":
+        (tmp_path / f"{slug}.json").write_text(json.dumps(report))
+    tell = [sys.executable, str(ROOT / "docs" / "tell_hard_cases.py"), "--check"]
+    done = subprocess.run(
+        [*tell, "--reports", str(tmp_path), slug], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == (1 if fault else 0)
+    if fault == "missing":
+        assert "hard_cases_02_triangles failed or did not run" in done.stderr
+    if fault == "different":
+        assert "not what the programs say" in done.stdout

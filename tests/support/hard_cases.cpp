@@ -308,8 +308,9 @@ Json Runner::judge(const std::vector<Case>& cases, std::vector<std::string>& fau
 
 int Runner::run(int argc, char** argv) {
   const std::string option = argc > 1 ? argv[1] : "";
-  if (argc > 2 || (argc == 2 && option != "--json" && option != "--answers")) {
-    std::cerr << "usage: " << argv[0] << " [--json | --answers]\n";
+  const bool with_report = option == "--report" && argc == 3;
+  if (argc > 1 && !with_report && !(argc == 2 && (option == "--json" || option == "--answers"))) {
+    std::cerr << "usage: " << argv[0] << " [--json | --answers | --report FILE]\n";
     return 2;
   }
   try {
@@ -345,6 +346,11 @@ int Runner::run(int argc, char** argv) {
         std::cout << "  " << name.get<std::string>() << ": wrong in "
                   << wrong[name.get<std::string>()] << "\n";
       }
+    }
+    if (with_report && faults.empty()) {
+      std::ofstream file(argv[2]);
+      file << report.dump(1) << "\n" << std::flush;
+      if (!file) throw std::runtime_error(std::string("cannot write ") + argv[2]);
     }
     return faults.empty() ? 0 : 1;
   } catch (const std::exception& problem) {

@@ -18,7 +18,8 @@
 ///
 /// Without arguments it exits 1, with a message for each fault, unless every stored answer is the
 /// recomputed one and the methods that get a case wrong are exactly those in its `fails`. `--json`
-/// prints what the book's table shows.
+/// prints what the book's table shows. `--report FILE` prints what a call without arguments prints
+/// and, if nothing is wrong, writes the same JSON into FILE.
 /// `--answers` prints the corpus with every answer and `fails` filled in, for an author who adds
 /// cases and then reads what came out.
 ///

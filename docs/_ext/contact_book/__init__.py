@@ -7,7 +7,7 @@ from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
 from contact_book.answers import Answers
-from contact_book.api import depend_on_headers
+from contact_book.api import depend_on_headers, forget_gone
 from contact_book.ask import Question, Recall
 from contact_book.assets import add_script, copy_components
 from contact_book.blocks import connect as connect_blocks
@@ -107,6 +107,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("builder-inited", name_authors_files)
     app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)
+    app.connect("env-get-outdated", forget_gone, priority=100)
     app.connect("env-get-outdated", read_again)
     app.connect("env-get-outdated", read_your_work_again)
     app.connect("source-read", append_frame)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
 from contact_book.directive import open_book, slug_of
 
@@ -19,3 +20,17 @@ def depend_on_headers(app: Sphinx, docname: str, source: list[str]) -> None:
         app.env.note_dependency(str(header))
         group = f"group__header__{header.stem.replace('_', '__')}.xml"
         app.env.note_dependency(str(xml / group))
+
+
+def forget_gone(
+    app: Sphinx, env: BuildEnvironment, added: set[str], changed: set[str], removed: set[str]
+) -> list[str]:
+    """The pages that show a class that is gone from the headers; to be called before Breathe.
+
+    Breathe asks for the age of each file of Doxygen's that a page was made from, also of one that
+    is not there any more.
+    """
+    read = getattr(env, "breathe_file_state", {})
+    gone = [file for file in read if not Path(file).is_file()]
+    pages = {page for file in gone for page in read.pop(file)[1]}
+    return sorted(pages - removed)
