@@ -29,12 +29,14 @@ struct ImpactBracket {
 /// @return free ≤ hit, with the same two properties
 template <std::floating_point S, std::predicate<S> Overlap>
 ImpactBracket<S> bisect_impact(const Overlap& overlap, ImpactBracket<S> bracket, int halvings) {
+  // [bisect]
   for (int k = 0; k < halvings; ++k) {
     const S middle = bracket.free + (bracket.hit - bracket.free) / S(2);
     if (!(bracket.free < middle && middle < bracket.hit)) break;
     (overlap(middle) ? bracket.hit : bracket.free) = middle;
   }
   return bracket;
+  // [/bisect]
 }
 // [/bisection]
 

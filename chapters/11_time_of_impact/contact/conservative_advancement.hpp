@@ -71,6 +71,7 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
     throw_invalid_argument("tolerance", number_text(tolerance), "must exceed 0");
   }
   ConservativeAdvance<S> advance;
+  // [advance]
   while (advance.advances < max_advances) {
     advance.distance = distance(advance.t);
     ++advance.advances;
@@ -86,6 +87,7 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
     }
     advance.t = std::nextafter(advance.t + sure / approach, S(0));
   }
+  // [/advance]
   advance.end = ConservativeEnd::gave_up;
   return advance;
 }

@@ -32,12 +32,14 @@ MovingSphereTerms<T> moving_sphere_terms(const Sphere<S>& a, const Vector3<S>& d
   const auto difference = [](const Vector3<S>& x, const Vector3<S>& y) {
     return minus(triple<T>(x.template cast<double>()), triple<T>(y.template cast<double>()));
   };
+  // [sphere-terms]
   const Triple<T> d = difference(a.centre, b.centre);
   const Triple<T> w = difference(displacement_a, displacement_b);
   const T radius_sum = T(double(a.radius)) + T(double(b.radius));
   const T square = dot(w, w), reach = radius_sum * radius_sum;
   const Triple<T> across = cross(d, w);
   return {square, -dot(d, w), dot(d, d) - reach, reach * square - dot(across, across)};
+  // [/sphere-terms]
 }
 
 /// −1: no touch in the step; 0: they meet at the start; 1: a touch later. `sure` becomes false if a

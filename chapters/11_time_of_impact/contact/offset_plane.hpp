@@ -53,10 +53,12 @@ struct OffsetPlane {
 /// motion is against the normal, or along the plane.
 template <class T>
 OffsetPlane<T> offset_plane(const PlaneMotion<T>& motion, bool& sure) {
+  // [offset-of-side]
   const int side = sign_of(motion.distance, sure);
   const bool front = side > 0 || (side == 0 && sign_of(motion.change, sure) <= 0);
   return {front, (front ? motion.distance : -motion.distance) - motion.radius,
           front ? -motion.change : motion.change};
+  // [/offset-of-side]
 }
 
 /// −1: no touch in the step; 0: it meets the plane at the start; 1: a touch later.

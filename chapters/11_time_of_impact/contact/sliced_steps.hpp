@@ -32,6 +32,7 @@ std::optional<ImpactBracket<S>> sliced_step(const Overlap& overlap, S duration, 
     throw_invalid_argument("duration", number_text(duration), "must not be negative");
   }
   if (slices < 1) throw_invalid_argument("slices", std::to_string(slices), "must be at least 1");
+  // [slices]
   if (overlap(S(0))) return ImpactBracket<S>{S(0), S(0)};
   ImpactBracket<S> bracket;
   for (int k = 1; k <= slices; ++k) {
@@ -40,6 +41,7 @@ std::optional<ImpactBracket<S>> sliced_step(const Overlap& overlap, S duration, 
     bracket.free = bracket.hit;
   }
   return std::nullopt;
+  // [/slices]
 }
 // [/sliced-step]
 
