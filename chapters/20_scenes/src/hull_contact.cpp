@@ -24,24 +24,70 @@ CONTACT_SCENES_INLINE std::vector<Vector3<double>> core_vertices(const OrientedB
 
 namespace detail {
 
-/// The part of a core that is farthest along the z axis of a frame to a share of its size, in its
-/// coordinates: a convex polygon, counter-clockwise, a segment or a point.
-CONTACT_SCENES_INLINE std::vector<Vector3<double>> farthest_part(
+/// The part of a core that comes first against the z axis of a frame (side −1) or along it (side
+/// 1), in its coordinates: a face that rises by at most `steepest` of its length, a convex polygon,
+/// counter-clockwise; if there is none, such an edge, or else the first vertex.
+///
+/// Of the edges at the lowest vertex, the one that rises least for its length is taken. The plane
+/// through it that is level across it has no vertex below it: a plane through the lowest vertex and
+/// along one of its edges is below the core, and between two edges a unit vector rises at least as
+/// much as along the flatter one. Rotated about the edge until it meets a vertex, to the side on
+/// which that takes less, the plane is that of a face. Lengths below 2^-20 of the core's size count
+/// as 0.
+CONTACT_SCENES_INLINE std::vector<Vector3<double>> first_part(
     const std::vector<Vector3<double>>& vertices, const CoordinateFrame<double>& frame, double side,
-    double share) {
+    double steepest) {
   std::vector<Vector3<double>> points;
-  double top = -std::numeric_limits<double>::infinity(), size = 0;
-  for (const Vector3<double>& vertex : vertices) {
-    points.push_back(position_in_frame(frame, vertex));
-    top = std::max(top, side * points.back().z());
-    size = std::max(size, points.back().cwiseAbs().maxCoeff());
+  for (const Vector3<double>& vertex : vertices) points.push_back(position_in_frame(frame, vertex));
+  const auto below = [&](const Vector3<double>& p, const Vector3<double>& q) {
+    return side * p.z() > side * q.z();
+  };
+  const Vector3<double> lowest = *std::min_element(points.begin(), points.end(), below);
+  double size = 0;
+  for (const Vector3<double>& p : points) size = std::max(size, (p - lowest).cwiseAbs().maxCoeff());
+  const double nothing = 0x1p-20 * size;
+  const auto height = [&](const Vector3<double>& p) { return side * (lowest.z() - p.z()); };
+
+  double slope = std::numeric_limits<double>::infinity();
+  Vector3<double> along = Vector3<double>::UnitX();  // the edge, seen along z
+  for (const Vector3<double>& p : points) {
+    const Vector3<double> d(p.x() - lowest.x(), p.y() - lowest.y(), 0);
+    const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+    if (!(length > nothing && height(p) < slope * length)) continue;
+    slope = height(p) / length;
+    along = d / length;
   }
-  std::erase_if(points,
-                [&](const Vector3<double>& p) { return side * p.z() < top - share * size; });
-  const auto before = [](const Vector3<double>& p, const Vector3<double>& q) {
-    return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
+  if (!(slope <= steepest)) return {lowest};
+  const auto across = [&](const Vector3<double>& p) {
+    return along.x() * (p.y() - lowest.y()) - along.y() * (p.x() - lowest.x());
+  };
+  const auto above_edge = [&](const Vector3<double>& p) {
+    return height(p) -
+           slope * (along.x() * (p.x() - lowest.x()) + along.y() * (p.y() - lowest.y()));
+  };
+  double least = std::numeric_limits<double>::infinity(), tilt = 0;
+  for (const Vector3<double>& p : points) {
+    const double beside = std::abs(across(p));
+    if (!(beside > nothing && above_edge(p) < least * beside)) continue;
+    least = above_edge(p) / beside;
+    tilt = across(p) > 0 ? least : -least;
+  }
+  const bool is_face = least <= steepest;
+  if (!is_face) tilt = 0;
+  std::erase_if(points, [&](const Vector3<double>& p) {
+    return above_edge(p) - tilt * across(p) > nothing ||
+           (!is_face && std::abs(across(p)) > nothing);
+  });
+  // Of two vertices at one position the lower counts.
+  const auto before = [&](const Vector3<double>& p, const Vector3<double>& q) {
+    if (p.x() != q.x()) return p.x() < q.x();
+    return p.y() != q.y() ? p.y() < q.y() : below(p, q);
+  };
+  const auto at_one_position = [](const Vector3<double>& p, const Vector3<double>& q) {
+    return p.x() == q.x() && p.y() == q.y();
   };
   std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end(), at_one_position), points.end());
   if (points.size() < 3) return points;
   const auto turn = [](const Vector3<double>& p, const Vector3<double>& q,
                        const Vector3<double>& r) {
@@ -117,16 +163,16 @@ CONTACT_SCENES_INLINE ContactManifold<double> face_contact(const std::vector<Vec
   const auto frame = frame_on_normal<double>(middle, gap.normal);
   // The window is a face; what is clipped by it may be tilted a little, as a body that rocks.
   constexpr double level = 0x1p-20, tilted = 0x1p-3;
-  auto above = detail::farthest_part(a, frame, -1, level);
-  auto below = detail::farthest_part(b, frame, 1, level);
+  auto above = detail::first_part(a, frame, -1, level);
+  auto below = detail::first_part(b, frame, 1, level);
   const bool clip_above = below.size() > 2;
   if (clip_above) {
-    above = detail::farthest_part(a, frame, -1, tilted);
+    above = detail::first_part(a, frame, -1, tilted);
   } else {
-    below = detail::farthest_part(b, frame, 1, tilted);
+    below = detail::first_part(b, frame, 1, tilted);
   }
   const auto& window = clip_above ? below : above;
-  double size = 0;
+  double size = 0, deepest = std::numeric_limits<double>::infinity();
   for (const Vector3<double>& p : window) size = std::max(size, p.cwiseAbs().maxCoeff());
   if (window.size() > 2 && above.size() > 1 && below.size() > 1) {
     for (const Vector3<double>& p : detail::clipped_part(clip_above ? above : below, window)) {
@@ -140,10 +186,12 @@ CONTACT_SCENES_INLINE ContactManifold<double> face_contact(const std::vector<Vec
       };
       if (std::any_of(manifold.points.begin(), manifold.points.end(), same)) continue;
       manifold.points.push_back({position, distance});
+      deepest = std::min(deepest, distance);
     }
     for (auto& point : manifold.points) point.point = position_in_world(frame, point.point);
   }
-  if (manifold.points.empty()) manifold.points = {{middle, gap.distance}};
+  // Where rounding or a bent face has cut off the closest points, they are added.
+  if (gap.distance < deepest - 0x1p-40 * size) manifold.points.push_back({middle, gap.distance});
   return manifold;
 }
 

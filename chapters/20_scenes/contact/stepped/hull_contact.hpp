@@ -31,13 +31,17 @@ std::vector<Vector3<double>> core_vertices(const OrientedBox<double>& body);
 /// they are closest.
 ///
 /// A face of one body that is perpendicular to this direction, to 2^-20 of its size, is the window.
-/// The part of the other that is farthest against it, to an eighth of its size, is projected onto
-/// it and clipped by its edges; the vertices of the clipped part within the margin are the points.
-/// If neither has such a face, or no vertex is left, the pair of closest points is the only one.
-/// @param a, b the vertices of the cores, m
+/// The face of the other that looks most against it, if it rises by at most an eighth of its length
+/// (else such an edge), is projected onto the window and clipped by its edges; the vertices of the
+/// clipped part within the margin are the points. The pair of closest points is added if it is
+/// deeper than all of them. It is the only one if neither body has such a face, or no vertex is
+/// left. Behind the face the other may be thin, or wider than the face.
+/// @param a, b the vertices of the cores, m; not empty
 /// @param radius sum of the radii, m
 /// @param gap the signed distance of the bodies
 /// @param margin m
+/// @return no points if the distance exceeds the margin or is NaN; only then signed_distance() has
+/// no normal
 ContactManifold<double> face_contact(const std::vector<Vector3<double>>& a,
                                      const std::vector<Vector3<double>>& b, double radius,
                                      const SignedDistance<double>& gap, double margin);
