@@ -112,6 +112,7 @@ void check_contact(const Sphere& sphere, const Vector& displacement, const Plane
   suspect("contact-point-is-centre", true, {.centre = true}, false);
   suspect("sphere-as-point", true, {.as_point = true}, false);
   suspect("separating-touches", !right, {.away = true}, false);
+  suspect("product-of-distances-vanishes", right && !at_start, {.product = true}, true);
   suspect("plane-assumed-at-rest", rise != 0, {.at_rest = true}, true);
   suspect("rise-added", rise != 0, {.added = true}, true);
   suspect("contact-on-the-plane-at-the-start", right && rise != 0, {.old_plane = true}, false);
@@ -175,11 +176,13 @@ TEST_CASE("a sphere falls onto a plane at rest") {
   check_contact({{4, 1, 6}, 1}, {8, 0, -16}, kFloor, 0);
   check_contact({{4, 1, 6}, 3}, {-8, 4, -16}, {{0.6, 0, 0.8}, 1}, 0);
   check_contact({{4, 1, 6}, 0}, {8, 0, -16}, kFloor, 0);
+  check_contact({{0, 0, 3e-190}, 1e-190}, {0, 0, -4e-190}, {{0, 0, 1}, 0}, 0);
 }
 
 TEST_CASE("a sphere comes from behind") {
   check_contact({{0, 0, -9}, 2}, {0, 0, 16}, kFloor, 0);
   check_contact({{1, 2, -6}, 1}, {4, 0, 12}, kFloor, 0);
+  check_contact({{0, 0, -3e-190}, 1e-190}, {0, 0, 4e-190}, {{0, 0, 1}, 0}, 0);
 }
 
 TEST_CASE("the plane moves too") {

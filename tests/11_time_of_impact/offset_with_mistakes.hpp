@@ -23,6 +23,7 @@ struct Ways {
   bool centre = false;           ///< the centre is the contact point
   bool as_point = false;         ///< the radius is 0
   bool away = false;             ///< the closing distance has no sign
+  bool product = false;          ///< signs are compared by a product, which may underflow
   bool at_rest = false;          ///< the plane does not move
   bool added = false;            ///< it moves the other way
   bool old_plane = false;        ///< the contact point is on the plane as it was
@@ -48,6 +49,7 @@ inline std::optional<Contact> meets(const Sphere& sphere, const Vector& displace
     if (leaves || ways.start_missed) return std::nullopt;
     return Contact{0, ways.centre ? sphere.centre : Vector(sphere.centre - distance * n)};
   }
+  if (ways.product && gap * closing == 0) return std::nullopt;
   if (ways.away) closing = std::abs(closing);
   const double t = gap / closing;
   if (!(t >= 0) || !(t <= 1 || ways.too_late) || (ways.end_missed && t == 1)) return std::nullopt;

@@ -33,6 +33,7 @@ struct Contact {
 ///   is then the point of the plane nearest to the centre.
 /// - A contact exactly at t = 1 counts.
 /// - The sphere may be on either side.
+/// - Lengths may be as small as 1e-200 m.
 ///
 /// @param sphere at the start, with a radius of 0 or more
 /// @param displacement of its centre during the step

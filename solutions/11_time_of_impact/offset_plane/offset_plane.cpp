@@ -30,7 +30,8 @@ std::optional<Contact> sphere_meets_plane(const contact::Sphere<double>& sphere,
   const double closing = plane.normal.dot(displacement) - rise;
   //? They move apart, keep their distance, or do not get near enough.
   //? gap: std::abs(missing) > std::abs(closing)
-  if (missing * closing <= 0 || std::abs(missing) > std::abs(closing)) return std::nullopt;
+  const bool approach = distance < 0 ? closing > 0 : closing < 0;
+  if (!approach || std::abs(missing) > std::abs(closing)) return std::nullopt;
   const double t = missing / closing;
   //? From the centre back to the plane, along the normal.
   //? gap: sphere.centre + t * displacement
