@@ -24,12 +24,13 @@ struct Shot {
 Shot through_the_plate();
 
 /// Discs of which given::meets_disc says that they do not touch, with 3 slices and again with 100,
-/// although they overlap by at least 1 mm during the step. Each radius is from 0.05 to 0.5 m, and
-/// the displacement is at most 10 m long.
+/// although they overlap by at least 1 mm during the step. Each radius is from 0.05 to 0.5 m, the
+/// displacement is at most 10 m long, and the start is at most 100 m from the origin.
 Shot graze_missed_again();
 
 /// Discs that given::meets_disc finds with 3 slices and misses with 100. They overlap by at least 1
-/// mm. Each radius is from 0.05 to 0.5 m, and the displacement is at most 10 m long.
+/// mm. Each radius is from 0.05 to 0.5 m, the displacement is at most 10 m long, and the start is
+/// at most 100 m from the origin.
 Shot lost_by_finer_slices();
 
 }  // namespace exercise
