@@ -23,7 +23,7 @@ struct Ways {
   bool end_overlaps = false;   ///< the end is taken to overlap
   bool end_goes_on = false;    ///< a free end does not end the search
   bool end_first = false;      ///< the end is asked before the start
-  bool wrong_half = false;     ///< the half without the impact is kept
+  bool wrong_half = false;     ///< the other half is kept
   bool back_alone = false;     ///< the search ends at the first free time
   int more = 0;                ///< halvings than asked for
   bool last_middle = false;    ///< the last middle is the free time, whatever was found

@@ -82,14 +82,14 @@ void check(const MovingSphere& a, const MovingSphere& b) {
   const auto suspect = [&](std::string_view id, bool where, const Ways& ways, bool may_miss) {
     if (where && (may_miss || with(ways)())) suspects.push_back({id, with(ways)});
   };
-  suspect("spheres-separate-then", later, {.later_root = true}, true);
+  suspect("spheres-separate-then", later, {.later_root = true}, false);
   suspect("other-sphere-at-rest", b.displacement != Vector::Zero(), {.other_at_rest = true}, true);
   suspect("displacements-added", b.displacement != Vector::Zero(), {.added = true}, true);
   suspect("one-radius-alone", true, {.one_radius = true}, true);
   suspect("overlap-at-start-not-found", terms.at_start(), {.start_missed = true}, true);
   suspect("overlap-left-missed", terms.at_start() && terms.approach.sign() <= 0,
           {.leaving_missed = true}, true);
-  suspect("contact-when-overlap-ends", terms.at_start(), {.exit_at_start = true}, true);
+  suspect("contact-when-overlap-ends", terms.at_start(), {.exit_at_start = true}, false);
   suspect("graze-missed", later && terms.depth.sign() == 0, {.graze_missed = true}, true);
   suspect("root-by-a-difference", later, {.cancelled_root = true}, false);
   suspect("depth-by-a-difference", later, {.cancelled_depth = true}, true);

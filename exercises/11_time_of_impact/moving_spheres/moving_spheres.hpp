@@ -29,8 +29,9 @@ struct Contact {
 /// - Seen along the centres, the distances of the point from those of a and b are in the ratio of
 ///   the radii. If the spheres just touch, it is the point in which they touch.
 ///
-/// The relative error of t may be 2⁻⁴⁰ where the input determines t that well: for spheres that
-/// nearly touch at the start, and for small spheres that are 10⁹ radii apart.
+/// The relative error of t may be 2⁻⁴⁰, also for small spheres 10⁹ radii apart. Spheres
+/// that nearly touch at the start are asked for where the squares of the distance and of the sum of
+/// the radii are doubles: the difference of these squares may then be taken as it is.
 std::optional<Contact> spheres_meet(const MovingSphere& a, const MovingSphere& b);
 
 }  // namespace exercise

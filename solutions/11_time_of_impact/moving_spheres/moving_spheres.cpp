@@ -23,7 +23,7 @@ std::optional<Contact> spheres_meet(const MovingSphere& a, const MovingSphere& b
   //? gap: approach <= 0
   const double approach = -d.dot(w);
   if (approach <= 0) return std::nullopt;
-  //? The cross product has the distance of the path from the centre, without cancellation.
+  //? The cross product has the distance of the path from the centre: no large squares cancel.
   //? gap: radius_sum * radius_sum * w.squaredNorm() - d.cross(w).squaredNorm()
   //? gap: depth < 0
   const double depth = radius_sum * radius_sum * w.squaredNorm() - d.cross(w).squaredNorm();
