@@ -29,11 +29,11 @@ namespace detail {
 /// counter-clockwise; if there is none, such an edge, or else the first vertex.
 ///
 /// Of the edges at the lowest vertex, the one that rises least for its length is taken. The plane
-/// through it that is level across it has no vertex below it: a plane through the lowest vertex and
-/// along one of its edges is below the core, and between two edges a unit vector rises at least as
-/// much as along the flatter one. Rotated about the edge until it meets a vertex, to the side on
-/// which that takes less, the plane is that of a face. Lengths below 2^-20 of the core's size count
-/// as 0.
+/// through it that is level in the direction perpendicular to it has no vertex below it: a plane
+/// through the lowest vertex and along one of its edges is below the core, and between two edges a
+/// unit vector rises at least as much as along the flatter one. Rotated about the edge until it
+/// meets a vertex, to the side on which that takes less, the plane is that of a face. Lengths below
+/// 2^-20 of the core's size count as 0.
 CONTACT_SCENES_INLINE std::vector<Vector3<double>> first_part(
     const std::vector<Vector3<double>>& vertices, const CoordinateFrame<double>& frame, double side,
     double steepest) {
