@@ -136,8 +136,8 @@ inline std::optional<ExactSweep> exact_sweep(const SweptPair<Exact>& pair) {
 /// @param a, b made by translating_box(); touching counts, also for an instant and along a face
 /// @return the first touch, t = 0 if they meet at the start; nothing if they do not touch in the
 /// step. The decision is right for every finite input; the error of t is at most 2^-42, and where
-/// floating-point arithmetic was not certain, at most half an ulp. If several axes tie, the normal
-/// is that of one of them
+/// floating-point arithmetic was not certain, at most half an ulp. If the overlap begins on several
+/// axes at times that differ by at most 2^-42, the normal is that of one of them
 /// @see Gottschalk, Lin and Manocha, *OBBTree*, SIGGRAPH 1996, for the axes; Eberly, *Dynamic
 /// Collision Detection Using Oriented Bounding Boxes*, 1999, for the sweep
 inline std::optional<BoxImpact<double>> box_impact(const TranslatingBox<double>& a,

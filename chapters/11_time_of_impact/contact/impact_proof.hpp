@@ -64,7 +64,7 @@ int exact_separation_sign_at(const A& a, const B& b, const Vector3<Exact>& w,
 /// approach is needed. Exact.
 /// @param displacement_a, displacement_b in the step, m, finite
 /// @param t fraction of the step, from 0 to 1; nothing comes before 0
-/// @return false also if there is no normal, or a or b is no body
+/// @return false also if there is no normal, unless t is 0, or if a or b is no body
 template <ConvexBody A, ConvexBody B>
 bool separates_until(const SeparatingPlane& plane, const A& a,
                      const Vector3<ScalarOf<A>>& displacement_a, const B& b,

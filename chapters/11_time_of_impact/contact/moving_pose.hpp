@@ -67,7 +67,7 @@ bool is_finite_motion(const TurningMotion<S>& motion) {
 /// The body at a time of its step, rounded.
 /// @param body at the start, of any kind, finite
 /// @param t from 0 to 1
-/// @return each of its points is at most pose_error() from where the motion takes it
+/// @return in double, each of its points is at most pose_error() from where the motion takes it
 template <ConvexBody Body>
 Body moved_body(const Body& body, const TurningMotion<ScalarOf<Body>>& motion,
                 const ScalarOf<Body>& t) {

@@ -59,11 +59,11 @@ int moving_spheres_touch(const MovingSphereTerms<T>& t, bool& sure) {
 /// When two moving spheres first touch in a step.
 ///
 /// Relative to b, a moves by w in the step, from d. They touch when |d + w t|² = R², with the sum R
-/// of the radii: square t² − 2 approach t + gap = 0, see EntryTerms. The first root is the time,
-/// and gap / (approach + √depth) loses no digits. What decides is the sign of five polynomials: of
-/// gap, approach and depth, whether the closest approach is in the step, and whether the gap at its
-/// end is closed. Each is computed with a bound on its error, and where one is not certain all are
-/// computed without rounding: no touch is missed, and none is invented.
+/// of the radii: square t² − 2 approach t + gap = 0, see EntryTerms. The first root is the time
+/// gap / (approach + √depth), with a sum below; gap and depth are differences. What decides is the
+/// sign of five polynomials: of gap, approach and depth, whether the closest approach is in the
+/// step, and whether the gap at its end is closed. Each is computed with a bound on its error, and
+/// where one or t is not certain all are computed without rounding: no touch is missed or invented.
 /// @param a, b at the start, m, with radii that are not negative
 /// @param displacement_a, displacement_b in the step, m
 /// @return t, the fraction of the step, from 0 to 1; 0 if they meet at the start, in whichever

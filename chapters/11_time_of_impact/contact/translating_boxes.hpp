@@ -60,8 +60,8 @@ TranslatingBox<S> translating_box(const CoordinateFrame<S>& frame, const Vector3
 template <Ring S>
 struct BoxImpact {
   S t = S(0);  ///< fraction of the step, from 0 to 1
-  /// Unit vector from b to a, normal to the plane that separates them until then. 0 if they meet at
-  /// the start.
+  /// Unit vector from b to a, normal to a plane that separates them until then (rounded: until
+  /// 2^-42 before then). 0 if they meet at the start.
   Vector3<S> normal = Vector3<S>::Zero();
 };
 

@@ -33,7 +33,8 @@ struct TranslatingImpact {
   /// next number.
   double t_high = 1;
   /// Separates them until t (separates_until()); if they do not meet, throughout the step
-  /// (separates_throughout()). No normal if t is 0. It leads from B to A; at the impact it is
+  /// (separates_throughout()). If t is 0, there is nothing to prove and there may be no normal. It
+  /// leads from B to A; at the impact it is
   /// normal to the surface, up to rounding.
   SeparatingPlane plane;
   /// If they meet, proves that they do so at a time from t to t_high (meeting_proved_between()).
