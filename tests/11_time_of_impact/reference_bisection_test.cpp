@@ -29,6 +29,13 @@ TEST_CASE("halvings: the bracket is within the tolerance, and one fewer is not e
   CHECK(halvings_to<double>({0, 1}, std::numeric_limits<double>::denorm_min()) == 1074);
 }
 
+TEST_CASE("halvings of subnormal widths are not rounded") {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  CHECK(halvings_to<double>({0, 5 * least}, 2 * least) == 2);
+  CHECK(halvings_to<double>({0, 4 * least}, 2 * least) == 1);
+  CHECK(halvings_to<double>({0, std::numeric_limits<double>::max()}, 0x1.8p1023) == 1);
+}
+
 TEST_CASE("halvings of an invalid bracket or tolerance are refused") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(halvings_to<double>({1, 0}, 0.5), std::invalid_argument);

@@ -30,6 +30,28 @@ TEST_CASE("a step of 1 in 3 slices is tested at 0, a third, two thirds and 1") {
   CHECK(state.t == 2.0 / 3);
 }
 
+TEST_CASE("the slices of a step whose multiples overflow end within it") {
+  std::vector<double> asked;
+  const auto found = contact::sliced_step<double>(
+      [&asked](double t) {
+        asked.push_back(t);
+        return false;
+      },
+      1e308, 3);
+  CHECK_FALSE(found.has_value());
+  REQUIRE(asked.size() == 4);
+  CHECK(asked[1] == 1e308 / 3);
+  CHECK(asked[2] == 1e308 / 3 * 2);
+  CHECK(asked[3] == 1e308);
+}
+
+TEST_CASE("of two overlaps the slices may miss the first: then the free state is after it") {
+  const auto overlap = [](double t) { return (t >= 0.2 && t <= 0.3) || t >= 0.7; };
+  const auto state = previous_free_state<double>(overlap, 2);
+  CHECK(state.hit);
+  CHECK(state.t == 0.5);
+}
+
 TEST_CASE("the previous free state is free and at most a slice before the overlap") {
   Random random(41);
   for (int i = 0; i < generators::tried(1000); ++i) {
@@ -71,6 +93,17 @@ TEST_CASE("a body that is put back rests at a gap that no later step closes") {
   // It falls 1/4 in the first step and 1/2 in the second: 1/8 above the floor it is put back.
   const auto gaps = gaps_of_previous_free_state<double>({0.375, 0, 0.25}, 1, 6);
   CHECK(gaps == std::vector<double>{0.125, 0.125, 0.125, 0.125, 0.125, 0.125});
+}
+
+TEST_CASE("without gravity a body that rises does so in all steps") {
+  const auto gaps = gaps_of_previous_free_state<double>({1, 0.5, 0}, 3, 4);
+  CHECK(gaps == std::vector<double>{1.5, 2, 2.5, 3});
+}
+
+TEST_CASE("a fall whose numbers overflow is refused") {
+  using Fall = contact::RestingFall<double>;
+  for (const Fall& fall : {Fall{1, -1.7e308, 1.7e308}, Fall{1.7e308, 1e308, 0}, Fall{1, 0, 1e307}})
+    CHECK_THROWS_AS(gaps_of_previous_free_state(fall, 1, 40), std::invalid_argument);
 }
 
 TEST_CASE("an invalid fall is refused") {

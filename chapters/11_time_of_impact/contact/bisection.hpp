@@ -43,8 +43,9 @@ ImpactBracket<S> bisect_impact(const Overlap& overlap, ImpactBracket<S> bracket,
 /// How many halvings make a bracket no wider than a tolerance: the smallest k with (hit − free) /
 /// 2^k ≤ tolerance.
 ///
-/// The width is the computed hit − free. Halving it is exact unless it becomes subnormal, and a
-/// tolerance is at least the smallest positive number, so the loop ends.
+/// The width is the computed hit − free. The tolerance is doubled in place of halving the width,
+/// which would be rounded where it is subnormal: a doubling is exact, or infinite and then above
+/// every width.
 /// @param bracket finite, with free ≤ hit
 /// @param tolerance in the same unit, finite and greater than 0
 /// @return at least 0
@@ -52,14 +53,14 @@ ImpactBracket<S> bisect_impact(const Overlap& overlap, ImpactBracket<S> bracket,
 /// positive and finite
 template <std::floating_point S>
 int halvings_to(const ImpactBracket<S>& bracket, S tolerance) {
-  S width = bracket.hit - bracket.free;
+  const S width = bracket.hit - bracket.free;
   require_finite("bracket", width);
   require_finite("tolerance", tolerance);
   if (width < S(0)) throw_invalid_argument("bracket", number_text(width), "hit is before free");
   if (!(tolerance > S(0)))
     throw_invalid_argument("tolerance", number_text(tolerance), "must exceed 0");
   int halvings = 0;
-  for (; width > tolerance; ++halvings) width /= S(2);
+  for (S reach = tolerance; width > reach; reach *= S(2)) ++halvings;
   return halvings;
 }
 

@@ -3,6 +3,7 @@
 /// that does to a body at rest.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <string>
@@ -23,8 +24,10 @@ struct PreviousFreeState {
 // [previous-free-state]
 /// The end of the last slice before the first at whose end the bodies touch or overlap.
 ///
-/// It is free, and at most one slice too early. It is also all that is known: the contact point is
-/// not. If the bodies touch or overlap at the start, there is no free state, and t is 0.
+/// It is free. Convex bodies that translate touch during one interval of time, so for them it is at
+/// most one slice before the first touch; others may have touched and separated before it, between
+/// two tests. It is also all that is known: the contact point is not. If the bodies touch or
+/// overlap at the start, there is no free state, and t is 0.
 /// @warning Misses what sliced_step() misses.
 /// @param overlap overlap(t): whether the bodies touch or overlap at the fraction t of the step
 /// @param slices at least 1
@@ -51,15 +54,18 @@ struct RestingFall {
 /// The gap above the floor after each of a number of steps, if an overlap puts the body back to the
 /// previous free state and sets its velocity to 0.
 ///
-/// The body ends at rest above the floor. Once it has been put back with the gap g, it starts the
-/// next step at rest and moves down by a, what gravity adds in a step: in k of n slices by a k/n.
-/// If a < g, it falls freely and faster until it is put back again, with a smaller gap. If a ≥ g,
-/// it is put back to g − a k/n with the largest k for which that is positive, so to at most a/n.
-/// From there already the first slice overlaps, and the gap stays the same in all later steps.
-/// @param fall finite; gap greater than 0, gravity not negative
+/// If gravity is greater than 0, the body ends at rest above the floor. Once it has been put back
+/// with the gap g, it starts the next step at rest and moves down by a, what gravity adds in a
+/// step: in k of n slices by a k/n. If a < g, it falls freely and faster until it is put back
+/// again, with a smaller gap. If a ≥ g, it is put back to g − a k/n with the largest k for which
+/// that is positive, so to at most a/n. From there already the first slice overlaps, and the gap
+/// stays the same in all later steps.
+/// @param fall finite; gap greater than 0, gravity not negative; without gravity a body that does
+/// not fall keeps its velocity for ever
 /// @param slices, steps at least 1
 /// @return m, `steps` numbers, all greater than 0
-/// @throws std::invalid_argument if an argument does not satisfy these conditions
+/// @throws std::invalid_argument if an argument does not satisfy these conditions, or the body may
+/// get so fast or so far away that a number overflows
 template <std::floating_point S>
 std::vector<S> gaps_of_previous_free_state(const RestingFall<S>& fall, int slices, int steps) {
   require_finite("fall.velocity", fall.velocity);
@@ -70,6 +76,9 @@ std::vector<S> gaps_of_previous_free_state(const RestingFall<S>& fall, int slice
   if (fall.gravity < S(0))
     throw_invalid_argument("fall.gravity", number_text(fall.gravity), "must not be negative");
   if (steps < 1) throw_invalid_argument("steps", std::to_string(steps), "must be at least 1");
+  const S fastest = std::abs(fall.velocity) + S(steps) * fall.gravity;
+  if (!std::isfinite(S(2) * (fall.gap + S(steps) * fastest)))
+    throw_invalid_argument("fall", number_text(fastest), "moves too far in these steps");
   std::vector<S> gaps;
   gaps.reserve(static_cast<std::size_t>(steps));
   S gap = fall.gap;

@@ -3,6 +3,7 @@
 /// them.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <optional>
 #include <string>
@@ -12,17 +13,29 @@
 
 namespace contact {
 
+namespace detail {
+
+/// The end of slice k of a step: duration · k / slices, rounded twice.
+template <std::floating_point S>
+S slice_end(S duration, int k, int slices) {
+  if (k == slices) return duration;
+  const S whole = duration * S(k);
+  return std::isfinite(whole) ? whole / S(slices) : duration / S(slices) * S(k);
+}
+
+}  // namespace detail
+
 // [sliced-step]
 /// The first of equal slices of a step at whose end bodies touch or overlap.
 ///
 /// @warning An overlap that begins and ends between two tests is missed: a bullet that is behind
-/// the wall at the next test, or a graze. contact/tunnelling.hpp says when that is impossible, and
+/// the wall at the next test, or a graze. contact/tunnelling.hpp says when the former cannot be, and
 /// how long a missed chord can be.
 /// @param overlap overlap(t): whether the bodies touch or overlap at the time t, from 0 to duration
 /// @param duration of the step, finite and not negative: 1 for times that are fractions of the step
 /// @param slices at least 1
 /// @return nothing if no test found an overlap. The tests are at duration · k / slices, rounded
-/// twice
+/// twice (in float for up to 2^24 slices)
 /// @throws std::invalid_argument if duration or slices does not satisfy these conditions
 /// @see *Fundamentals of Computer Animation*, slide "How About 2 MOVING spheres?"
 template <std::floating_point S, std::predicate<S> Overlap>
@@ -36,7 +49,7 @@ std::optional<ImpactBracket<S>> sliced_step(const Overlap& overlap, S duration, 
   if (overlap(S(0))) return ImpactBracket<S>{S(0), S(0)};
   ImpactBracket<S> bracket;
   for (int k = 1; k <= slices; ++k) {
-    bracket.hit = k == slices ? duration : duration * S(k) / S(slices);
+    bracket.hit = detail::slice_end(duration, k, slices);
     if (overlap(bracket.hit)) return bracket;
     bracket.free = bracket.hit;
   }
