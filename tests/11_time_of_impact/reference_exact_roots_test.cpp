@@ -90,3 +90,28 @@ TEST_CASE("a tiny root is found, and no root outside the step", "[roots]") {
   CHECK(contact::detail::time_down<double>(low) == 0x1p-1000);
   CHECK(contact::exact_roots(ExactPolynomial(Exact(4.0))).roots.empty());
 }
+
+TEST_CASE("a root far below the smallest double is enclosed to 2^-1200", "[roots]") {
+  const Exact large = Exact(0x1p1000) * Exact(0x1p1000) * Exact(3.0);
+  const auto p =
+      ExactPolynomial::between(Exact(-1.0), large - Exact(1.0));  // the root is 1 / large
+  const contact::ExactRoots found = contact::exact_roots(p);
+  REQUIRE(found.roots.size() == 1);
+  const auto [low, high] = contact::refined(found.roots[0], found.polynomial);
+  CHECK(low.sign() == 0);
+  CHECK(large * high >= Exact(1.0));
+  CHECK(high <= Exact(0x1p-600) * Exact(0x1p-600));
+}
+
+TEST_CASE("two roots that take thousands of halvings are separated", "[roots]") {
+  const Exact large = Exact(0x1p1000) * Exact(0x1p1000) * Exact(0x1p500);
+  const auto below = ExactPolynomial::between(Exact(-1.0), large - Exact(1.0));
+  const auto above = ExactPolynomial::between(Exact(-3.0), large - Exact(3.0));
+  const contact::ExactRoots found = contact::exact_roots(below * above);
+  REQUIRE(found.roots.size() == 2);
+  CHECK(large * found.roots[0].low <= Exact(1.0));
+  CHECK(large * found.roots[0].high >= Exact(1.0));
+  CHECK(large * found.roots[1].low <= Exact(3.0));
+  CHECK(large * found.roots[1].high >= Exact(3.0));
+  CHECK(found.roots[0].high <= found.roots[1].low);
+}

@@ -165,6 +165,24 @@ TEST_CASE("a sphere of any scale touches the plane at the same fraction") {
   }
 }
 
+TEST_CASE("the distance from a plane is that of the stored numbers, whatever the normal's length") {
+  // |n|² = 1 + 4.4e-17: n · c is above 1, the distance from the plane is not.
+  const Sphere<double> sphere{V(1.5774467022710263, 0.0669149732967303, 0), 1};
+  const Plane<double> plane{V(0.6, 0.8, 0), 0};
+  const auto product = [](double x, double y) { return Rational(x) * Rational(y); };
+  CHECK(product(0.6, sphere.centre.x()) + product(0.8, sphere.centre.y()) > Rational(1));
+  CHECK_FALSE(sphere_plane_impact<double>(sphere, V(0, 0, 0), plane).has_value());
+}
+
+TEST_CASE("a centre that leaves the numbers is infinite, at the right time") {
+  const auto hit =
+      sphere_plane_impact<double>({V(1.7e308, 0, 1), 0.5}, V(1.7e308, 0, -2), floor_plane);
+  REQUIRE(hit.has_value());
+  CHECK(hit->t == 0.25);
+  CHECK(hit->centre.x() == std::numeric_limits<double>::infinity());
+  CHECK(hit->centre.z() == 0.5);
+}
+
 TEST_CASE("a number that is not finite touches no plane") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(sphere_plane_impact<double>({V(nan, 0, 0), 1}, V(0, 0, 0), floor_plane));

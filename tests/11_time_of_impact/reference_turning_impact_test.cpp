@@ -367,6 +367,17 @@ TEST_CASE("turning bodies with a number that is not finite are not advanced", "[
   }
 }
 
+TEST_CASE("a half-space without a normal is not met", "[turning]") {
+  const contact::Sphere<double> ball{Vec(3, 0, 0), 1};
+  const Motion none{Vec::Zero(), Vec::Zero(), Vec::Zero()};
+  for (const double offset : {-1.0, 0.0, 1.0}) {
+    const contact::HalfSpace<double> nothing{{Vec::Zero(), offset}};
+    const auto found = contact::turning_impact(ball, none, nothing, 1e-6);
+    CHECK(found.end == ConservativeEnd::gave_up);
+    CHECK(found.t == 0);
+  }
+}
+
 TEST_CASE("a turning impact refuses a tolerance or a count that cannot end", "[turning]") {
   const contact::Sphere<double> ball{Vec(3, 0, 0), 1}, other{Vec::Zero(), 1};
   const Motion none{Vec::Zero(), Vec::Zero(), Vec::Zero()};

@@ -384,3 +384,24 @@ TEST_CASE("an advance that does not converge gives up, and invalid numbers are r
        "duration = -1");
   says([&] { contact::conservative_advancement<double>(slow, 1.0, 1.0, 0.0, 5); }, "tolerance = 0");
 }
+
+TEST_CASE("a distance that is no number is not taken for a clear step") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  contact::RotatingBox<double> box;
+  box.position = V(nan, 0, 4);
+  box.half_lengths = V(1, 1, 1);
+  const auto end = contact::rotating_box_plane_impact<double>(box, {V(0, 0, 1), 0}, 1, 1e-3, 50);
+  CHECK(end.end == contact::ConservativeEnd::gave_up);
+  CHECK(end.t == 0);
+}
+
+TEST_CASE("an accelerated ball may touch a wall unseen, but does not get to its other side") {
+  // It dips 0.249 m in between two tests and turns back.
+  const auto bound = contact::slab_tunnelling(contact::mover(0.5, 0.5, 0.0), 10.0,
+                                              contact::centre_displacement(1.0, 2.0, 1.0));
+  CHECK(bound.nothing_passes());
+  const auto gap = [](double t) { return 0.001 - (t - t * t); };
+  CHECK(gap(0) > 0);
+  CHECK(gap(0.5) < 0);
+  CHECK(gap(1) > 0);
+}

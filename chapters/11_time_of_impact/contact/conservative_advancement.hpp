@@ -24,7 +24,7 @@ namespace contact {
 enum class ConservativeEnd {
   impact,  ///< the bodies are separated by at most the tolerance
   clear,   ///< the end of the step is reached without a touch
-  gave_up  ///< too many advances: the bodies are separated until t, and the rest is unknown
+  gave_up  ///< too many advances: the bodies do not touch before t, and the rest is unknown
 };
 
 /// The result of a conservative advancement.
@@ -41,8 +41,8 @@ struct ConservativeAdvance {
 ///
 /// If the distance of the bodies is at least `distance(t)` at t, and no two of their points
 /// approach faster than μ, they cannot touch before t + distance(t) / μ. There the distance is
-/// evaluated again. So no impact is passed, however fast the bodies rotate. The price: the advances
-/// get shorter and shorter, and end at a small distance in place of 0.
+/// evaluated again. So no impact is passed, however fast the bodies rotate. The price: close
+/// to a touch the advances get shorter and shorter, and end at a small distance in place of 0.
 /// @param distance distance(t): a lower bound on the distance of the bodies at t, m; defined for
 /// all t, at most 0 where they touch
 /// @param approach μ, an upper bound on the speed at which any two of their points approach in the
@@ -54,7 +54,8 @@ struct ConservativeAdvance {
 /// @param max_advances at least 1
 /// @return t is never after the impact, up to the rounding of its sum: each advance is shortened by
 /// 4 u of itself, and t is rounded down. In exact arithmetic an advance covers at least tolerance /
-/// μ, so with max_advances > μ duration / tolerance the result is never gave_up
+/// μ, so with max_advances > μ duration / tolerance the result is never gave_up. It is gave_up if
+/// a distance is NaN
 /// @throws std::invalid_argument if a number does not satisfy these conditions
 ///
 /// Source: Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis,
@@ -75,6 +76,7 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
   while (advance.advances < max_advances) {
     advance.distance = distance(advance.t);
     ++advance.advances;
+    if (std::isnan(advance.distance)) break;
     if (advance.distance <= tolerance) {
       advance.end = ConservativeEnd::impact;
       return advance;

@@ -163,24 +163,34 @@ inline int sign_at_root(const ExactPolynomial& q, const ExactPolynomial& p, cons
 
 namespace detail {
 
-/// Adds the roots in the open interval, in ascending order.
+/// Adds the roots in the open interval, in ascending order. Parts to come are kept in a list: roots
+/// close to 0 take thousands of halvings, too many for a recursion.
 /// @param p without a multiple root
 /// @param sequence Sturm's, of p
 /// @param count of roots inside the interval
 inline void isolate(const ExactPolynomial& p, const std::vector<ExactPolynomial>& sequence,
                     const ExactRoot& interval, int count, std::vector<ExactRoot>& roots) {
-  if (count == 0) return;
-  if (count == 1 && p.at(interval.low).sign() * p.at(interval.high).sign() != 0) {
-    roots.push_back(interval);
-    return;
+  struct Part {
+    ExactRoot interval;
+    int count;
+  };
+  std::vector<Part> parts{{interval, count}};  // the next is the last
+  while (!parts.empty()) {
+    const Part part = parts.back();
+    const auto& [low, high] = part.interval;
+    parts.pop_back();
+    if (part.count == 0) continue;
+    if (low == high || (part.count == 1 && p.at(low).sign() * p.at(high).sign() != 0)) {
+      roots.push_back(part.interval);
+      continue;
+    }
+    const Exact middle = (low + high) * Exact(0.5);
+    const int met = p.at(middle).sign() == 0 ? 1 : 0;
+    const int to_middle = sign_changes(sequence, low) - sign_changes(sequence, middle) - met;
+    parts.push_back({{middle, high}, part.count - to_middle - met});
+    parts.push_back({{middle, middle}, met});
+    parts.push_back({{low, middle}, to_middle});
   }
-  const Exact middle = (interval.low + interval.high) * Exact(0.5);
-  const bool met = p.at(middle).sign() == 0;
-  const int to_middle =
-      sign_changes(sequence, interval.low) - sign_changes(sequence, middle) - (met ? 1 : 0);
-  isolate(p, sequence, {interval.low, middle}, to_middle, roots);
-  if (met) roots.push_back({middle, middle});
-  isolate(p, sequence, {middle, interval.high}, count - to_middle - (met ? 1 : 0), roots);
 }
 
 }  // namespace detail
@@ -217,7 +227,8 @@ inline ExactRoots exact_roots(const ExactPolynomial& p) {
   return found;
 }
 
-/// The root in an interval of at most 2^-60 of its upper end, or exactly.
+/// The root in an interval of at most 2^-60 of its upper end, or exactly; a root below 2^-1140 in
+/// one of at most 2^-1200, after which it stops.
 /// @param p not 0 at the ends of the root, unless they are equal
 inline ExactRoot refined(ExactRoot root, const ExactPolynomial& p) {
   if (root.low == root.high) return root;

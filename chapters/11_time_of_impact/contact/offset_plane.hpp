@@ -82,7 +82,10 @@ int touches_offset_plane(const OffsetPlane<T>& plane, bool& sure) {
 ///
 /// The signs of d, of the gap and of closing − gap decide. Each is computed with a bound on its
 /// error, and where one is not certain all are computed without rounding. So for the stored
-/// numbers, with the unit normal as it is stored, no touch is missed and none is invented.
+/// numbers no touch is missed and none is invented. There n · c − k counts as the distance of the
+/// centre: a stored normal has the length 1 up to rounding only, so a sphere that is farther or
+/// closer by that may get another answer than from translating_impact(), which takes the length
+/// into account.
 /// @param sphere at the start, m, with a radius that is not negative
 /// @param displacement of its centre in the step, m
 /// @param plane with a unit normal; infinite and of no thickness
@@ -90,8 +93,8 @@ int touches_offset_plane(const OffsetPlane<T>& plane, bool& sure) {
 /// whatever its displacement. The normal leads from the plane to the centre; if that starts on the
 /// plane, it is the one opposed to the motion, or the plane's own if the motion is along it. t is
 /// off by at most 32 u of itself, or the smallest number; the centre by that and two roundings for
-/// each coordinate. Nothing if there is no touch or a number is not finite. No number
-/// is −0
+/// each coordinate, and infinite where it overflows. Nothing if there is no touch or a number is
+/// not finite. No number is −0
 /// @see *Fundamentals of Computer Animation*, slides "Exact Collision Time", which calls a time a
 /// fraction and has 0/0 at rest, and "The Collision Point"
 template <FloatOrDouble S>

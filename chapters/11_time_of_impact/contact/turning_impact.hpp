@@ -31,8 +31,10 @@ struct TurningImpact {
   /// impact: at t they are certainly no farther apart than the tolerance and the rounding, or this
   /// cannot be excluded; clear: they do not touch in the step; gave_up: too many advances.
   ConservativeEnd end = ConservativeEnd::gave_up;
-  S t = S(0);         ///< fraction of the step; the bodies do not touch before it
-  S distance = S(0);  ///< a lower bound on their distance at t, m; 0 for clear
+  S t = S(0);  ///< fraction of the step; the bodies do not touch before it
+  /// A lower bound on their distance, m, in double at t; in float at a time from t to the next
+  /// number, because t is rounded towards the start. 0 for clear and gave_up.
+  S distance = S(0);
   /// Unit vector from B to A: of the plane that last separated them; 0 if none did.
   Vector3<S> normal = Vector3<S>::Zero();
   int advances = 0;  ///< number of poses at which the bodies were measured
@@ -62,7 +64,7 @@ struct TurningBody {
 };
 
 /// How the largest height of a body along a direction can grow after a time t: at most max (height
-/// + rate s) + bend s²/2 + drift s, and at most the support + speed s.
+/// + rate s) + bend s²/2, and at most the support + speed s.
 struct GrowingHeight {
   std::vector<double> height;  ///< of the vertices of the core, with the radius and the error
   std::vector<double> rate;    ///< of each, for the whole step
@@ -268,8 +270,8 @@ TurningImpact<S> advance_turning(const Measure& measure, S tolerance, int max_ad
 /// distance, it is a false alarm.
 ///
 /// An advance covers at least the tolerance divided by the speed of approach, at most |d_a − d_b| +
-/// |a_a| r_a + |a_b| r_b for the step. So max_advances above that, divided by the tolerance, never
-/// gives up.
+/// |a_a| r_a + |a_b| r_b for the step. So in exact arithmetic it never gives up with max_advances
+/// above that, divided by the tolerance; bounds of the rounding make advances a little shorter.
 /// @param a, b at the start, of any kinds, with coordinates from 1e-150 to 1e150 in double
 /// @param motion_a, motion_b in the step
 /// @param tolerance m, greater than 0; in double at least 2^-40 of the coordinates and paths, else
@@ -324,6 +326,8 @@ requires std::same_as<ScalarOf<A>, ScalarOf<B>> TurningImpact<ScalarOf<A>> turni
 // [turning-body-plane]
 /// The same for a turning body and a half-space at rest: its boundary is the only plane that is
 /// needed.
+/// @param b with a unit normal
+/// @return gave_up at 0 also if a number of b is not finite, or its normal is 0
 template <ConvexBody A>
 TurningImpact<ScalarOf<A>> turning_impact(const A& a, const TurningMotion<ScalarOf<A>>& motion_a,
                                           const HalfSpace<ScalarOf<A>>& b, ScalarOf<A> tolerance,
@@ -333,7 +337,10 @@ TurningImpact<ScalarOf<A>> turning_impact(const A& a, const TurningMotion<Scalar
   const auto& first = detail::as_double(a);
   const detail::TurningBody turning(first, detail::in_double(motion_a));
   const Vector3<double> n = b.boundary.normal.template cast<double>();
-  if (!turning.usable() || !all_finite(n) || !std::isfinite(b.boundary.offset)) return {};
+  if (!turning.usable() || !all_finite(n) || n == Vector3<double>::Zero() ||
+      !std::isfinite(b.boundary.offset)) {
+    return {};
+  }
   const auto measure = [&](double t, detail::GrowingHeight& front, detail::GrowingHeight& back) {
     detail::grow_along(turning, turning.at(t), t, Vector3<double>(-n), front);
     back.support = double(b.boundary.offset);
