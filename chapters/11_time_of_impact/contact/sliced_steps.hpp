@@ -29,8 +29,8 @@ S slice_end(S duration, int k, int slices) {
 /// The first of equal slices of a step at whose end bodies touch or overlap.
 ///
 /// @warning An overlap that begins and ends between two tests is missed: a bullet that is behind
-/// the wall at the next test, or a graze. contact/tunnelling.hpp says when the former cannot be, and
-/// how long a missed chord can be.
+/// the wall at the next test, or a graze. contact/tunnelling.hpp says when the former cannot be,
+/// and how long a missed chord can be.
 /// @param overlap overlap(t): whether the bodies touch or overlap at the time t, from 0 to duration
 /// @param duration of the step, finite and not negative: 1 for times that are fractions of the step
 /// @param slices at least 1
