@@ -224,7 +224,8 @@ inline QuickSweep quick_sweep(const TranslatingBox<double>& a, const Translating
     const auto axis = b.frame.axes.col(j);
     const double extents =
         of_b[j] + absolute[0][j] * of_a[0] + absolute[1][j] * of_a[1] + absolute[2][j] * of_a[2];
-    if (intervals.add(std::size_t(3 + j), dot(axis, d), dot(axis, w), extents)) return quick;
+    if (intervals.add(std::size_t(3) + std::size_t(j), dot(axis, d), dot(axis, w), extents))
+      return quick;
   }
   for (int i = 0; i < 3; ++i) {
     const int p = (i + 1) % 3, q = (i + 2) % 3;
@@ -236,8 +237,9 @@ inline QuickSweep quick_sweep(const TranslatingBox<double>& a, const Translating
       }
       const double extents = absolute[q][j] * of_a[p] + absolute[p][j] * of_a[q] +
                              absolute[i][s] * of_b[r] + absolute[i][r] * of_b[s];
-      if (intervals.add(std::size_t(6 + 3 * i + j), c[p][j] * da[q] - c[q][j] * da[p],
-                        c[p][j] * wa[q] - c[q][j] * wa[p], extents)) {
+      if (intervals.add(std::size_t(6) + std::size_t(3) * std::size_t(i) + std::size_t(j),
+                        c[p][j] * da[q] - c[q][j] * da[p], c[p][j] * wa[q] - c[q][j] * wa[p],
+                        extents)) {
         return quick;
       }
     }
