@@ -102,8 +102,9 @@ inline Pairs around_truncated_middle(const Boxes& boxes) {
   return pairs_by(boxes, [&](const Box& a, const Box& b) {
     for (int k = 0; k < 3; ++k) {
       const double x = a.low(k) / 2 + a.high(k) / 2;
-      const auto other = static_cast<std::int64_t>(std::floor(b.low(k) / 2 + b.high(k) / 2));
-      if (std::abs(cell(x) - other) > 1) return false;
+      // In double: huge coordinates have cells beyond any integer.
+      const double other = std::floor(b.low(k) / 2 + b.high(k) / 2);
+      if (std::abs(static_cast<double>(cell(x)) - other) > 1) return false;
     }
     return contact::boxes_touch(a, b);
   });

@@ -50,6 +50,13 @@ def test_a_tie_names_the_fields_that_go_to_the_function(tmp_path: Path) -> None:
     ]
 
 
+def test_a_contract_may_be_about_what_the_figure_computes(tmp_path: Path) -> None:
+    options = {**OPTIONS, "only-for": "approach = 1: bodies that approach", "start": "head-on"}
+    found = tied(tmp_path, options, ROWS)
+    assert found is not None
+    assert (found["only"]["field"], found["start"]) == ("approach", "head-on")
+
+
 def test_most_exercises_have_no_figure(tmp_path: Path) -> None:
     assert tied(tmp_path, {}, []) is None
 

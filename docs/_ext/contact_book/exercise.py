@@ -34,7 +34,7 @@ class Exercise(BookDirective):
     required_arguments = 1
     has_content = True
     option_spec: ClassVar[dict[str, Any]] = dict.fromkeys(
-        ("figure", "call", "only-for"), directives.unchanged_required
+        ("figure", "call", "only-for", "start"), directives.unchanged_required
     )
 
     def build(self) -> list[nodes.Node]:

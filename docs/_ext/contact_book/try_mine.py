@@ -4,13 +4,16 @@
     :figure: ray_triangle
     :call: ray_triangle({origin, through - origin}, {a, b, c})
     :only-for: segment = 0: a ray, not a segment
+    :start: through a face
     hit: mine.has_value() = hit
     t: mine->t = t if hit
     :::
 
 `call` is C++ that calls a function of the contract; every name in it is a field of the figure. In
 the lines below, `mine` is the result, and on the right is the field in which the figure has the
-book's answer; after `if`, the field that says whether there is one.
+book's answer; after `if`, the field that says whether there is one. `only-for` names a number of
+the figure, given or computed, that says whether the contract holds; `start`, optional, a state by
+its label, in which it does: the page shows that first if the number has another value.
 """
 
 from __future__ import annotations
@@ -112,7 +115,8 @@ def tie(
         "figure": f"{chapter.slug}/{name}",
         "call": call,
         "fields": used,
-        "only": _only(options.get("only-for"), name, fields),
+        "only": _only(options.get("only-for"), name, every),
+        "start": options.get("start"),
         "rows": rows,
     }
 
@@ -152,11 +156,11 @@ def _row(line: str, figure: str, fields: Fields) -> dict[str, Any]:
     }
 
 
-def _only(text: str | None, figure: str, fields: Fields) -> dict[str, Any] | None:
+def _only(text: str | None, figure: str, known: tuple[str, ...]) -> dict[str, Any] | None:
     if text is None:
         return None
     match = _ONLY.fullmatch(text.strip())
     if not match:
         raise BookError(f":only-for: is FIELD = NUMBER: WORDS, not '{text}'")
-    _need(match["field"], fields.inputs, figure)
+    _need(match["field"], known, figure)
     return {"field": match["field"], "value": float(match["value"]), "words": match["words"]}

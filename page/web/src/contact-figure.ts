@@ -67,6 +67,15 @@ export class ContactFigure extends HTMLElement {
     this.#model?.set(fields);
   }
 
+  /** Shows one of the states that a control of the loaded figure offers, by its label. */
+  show(label: string): void {
+    const controls = this.#model?.figure.controls ?? [];
+    const states = controls.flatMap((one) => (one.kind === "states" ? one.options : []));
+    const state = states.find((one) => one.label === label);
+    if (!state) throw new Error(`the figure has no state "${label}"`);
+    this.set(state.fields as Fields);
+  }
+
   reset(): void {
     this.#model?.reset();
     const { view } = this.#model?.figure ?? {};

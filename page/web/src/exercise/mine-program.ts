@@ -13,8 +13,10 @@ export interface Tie {
   readonly call: string;
   /** The figure's fields that the call uses. */
   readonly fields: readonly string[];
-  /** The function answers only while this field of the figure has this value. */
+  /** The function answers only while this field of the figure, given or computed, has this value. */
   readonly only: { readonly field: string; readonly value: number; readonly words: string } | null;
+  /** A state of the figure, by its label, in which the field has it. */
+  readonly start: string | null;
   readonly rows: readonly TieRow[];
 }
 

@@ -57,7 +57,7 @@ export class Mine {
   }
 
   async #start(): Promise<void> {
-    const { figure: name, only } = this.#tie;
+    const { figure: name, only, start } = this.#tie;
     const figure = document.querySelector<ContactFigure>(
       `contact-figure[name="${CSS.escape(name)}"]`,
     );
@@ -85,7 +85,10 @@ export class Mine {
       this.#panel = new MinePanel(this.#tie, this.#host.title, () => this.#host.toCode(), back);
       figure.beside(this.#panel.element);
       figure.addEventListener("contact-change", this.#moved);
-      if (only && figure.input[only.field] !== only.value) figure.set({ [only.field]: only.value });
+      if (!this.#answers()) {
+        if (start) figure.show(start);
+        else if (only) figure.set({ [only.field]: only.value });
+      }
     }
     this.#panel.element.scrollIntoView({ block: "nearest" });
     this.#panel.element.focus({ preventScroll: true });
@@ -153,11 +156,17 @@ export class Mine {
     }
   }
 
+  /** Whether the numbers of the figure are such that the contract says something of them. */
+  #answers(): boolean {
+    const { only } = this.#tie;
+    return !only || this.#fields[only.field] === only.value;
+  }
+
   readonly #moved = (): void => {
     const { only } = this.#tie;
     const figure = this.#figure;
     if (!this.#thread || !figure?.input || !figure.output) return;
-    if (only && figure.input[only.field] !== only.value) {
+    if (only && !this.#answers()) {
       this.#panel?.say(`Your function answers for this alone: ${only.words}.`, "trouble");
       return;
     }
