@@ -58,7 +58,7 @@ export class MinePanel {
     const differing: string[] = [];
     let compared = 0;
     const lines = this.#tie.rows.map((row, i) => {
-      if (row.asked !== null && !output[row.asked]) {
+      if (row.asked && !output[row.asked]) {
         const line = html("tr", {}, html("th", { scope: "row" }, row.label));
         line.append(html("td", {}, "–"), html("td", {}, "–"));
         return line;
