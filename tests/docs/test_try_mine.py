@@ -32,6 +32,7 @@ ROWS = ["after: mine = after if approach"]
 def tied(folder: Path, options: dict[str, str], rows: list[str]) -> dict[str, Any] | None:
     (folder / "figures").mkdir(exist_ok=True)
     (folder / "figures" / "head_on.cpp").write_text(FIGURE)
+    (folder / "figures" / "head_on.ts").write_text('{ label: "head-on", fields: { e: 1 } }')
     contract = folder / "collide.hpp"
     contract.write_text(CONTRACT)
     chapter: Any = SimpleNamespace(slug="13_lines", folder=folder, figures=["head_on"])
@@ -47,6 +48,7 @@ def test_a_tie_names_the_fields_that_go_to_the_function(tmp_path: Path) -> None:
     assert found["only"] == {"field": "e", "value": 1.0, "words": "elastic bodies"}
     assert found["rows"] == [
         {"label": "after", "mine": "mine", "book": "after", "index": None, "when": "approach"}
+        | {"asked": None}
     ]
 
 
@@ -55,6 +57,12 @@ def test_a_contract_may_be_about_what_the_figure_computes(tmp_path: Path) -> Non
     found = tied(tmp_path, options, ROWS)
     assert found is not None
     assert (found["only"]["field"], found["start"]) == ("approach", "head-on")
+
+
+def test_a_row_may_be_compared_only_sometimes(tmp_path: Path) -> None:
+    found = tied(tmp_path, OPTIONS, ["after: mine = after while approach"])
+    assert found is not None
+    assert (found["rows"][0]["when"], found["rows"][0]["asked"]) == (None, "approach")
 
 
 def test_most_exercises_have_no_figure(tmp_path: Path) -> None:
@@ -74,6 +82,11 @@ def test_a_comma_of_a_template_separates_no_parameters() -> None:
         ({"call": "collide({mass, 1}, e)"}, ROWS, "gives 2 arguments, and collide has 3"),
         ({"call": "collide({1, 1}, {1, 2}, after)"}, ROWS, "uses no input of figure head_on"),
         ({"only-for": "k = 1: elastic bodies"}, ROWS, "unknown field 'k'"),
+        (
+            {"start": "sidelong"},
+            ROWS,
+            ":start: is a state of figure head_on, and 'sidelong' is none",
+        ),
         ({"only-for": "e is 1"}, ROWS, ":only-for: is FIELD = NUMBER: WORDS"),
         ({}, ["after: mine = afterwards"], "unknown field 'afterwards'"),
         ({}, ["after: mine = after if hit"], "unknown field 'hit'"),

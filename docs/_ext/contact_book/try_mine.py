@@ -4,16 +4,18 @@
     :figure: ray_triangle
     :call: ray_triangle({origin, through - origin}, {a, b, c})
     :only-for: segment = 0: a ray, not a segment
-    :start: through a face
     hit: mine.has_value() = hit
     t: mine->t = t if hit
     :::
 
 `call` is C++ that calls a function of the contract; every name in it is a field of the figure. In
 the lines below, `mine` is the result, and on the right is the field in which the figure has the
-book's answer; after `if`, the field that says whether there is one. `only-for` names a number of
-the figure, given or computed, that says whether the contract holds; `start`, optional, a state by
-its label, in which it does: the page shows that first if the number has another value.
+book's answer; after `if`, the field that says whether there is one; after `while`, the field that
+says whether the two are compared, as the figure's own answer may be rounded or about another case.
+
+`only-for` names a number of the figure, given or computed, that says whether the contract holds;
+`start`, optional, a state by its label, in which it does: the page shows that first if the number
+has another value.
 """
 
 from __future__ import annotations
@@ -33,7 +35,7 @@ _FIGURE = re.compile(
 _CALL = re.compile(r"(?P<function>[a-z]\w*)\((?P<arguments>.*)\)", re.DOTALL)
 _ROW = re.compile(
     r"(?P<label>[^:]+):\s+(?P<mine>.*\bmine\b.*?)\s+=\s+(?P<book>[a-z]\w*)(?:\[(?P<index>\d+)\])?"
-    r"(?:\s+if\s+(?P<when>[a-z]\w*))?"
+    r"(?:\s+if\s+(?P<when>[a-z]\w*))?(?:\s+while\s+(?P<asked>[a-z]\w*))?"
 )
 _ONLY = re.compile(r"(?P<field>[a-z]\w*)\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*:\s*(?P<words>.+)")
 # Not a member, and not qualified.
@@ -116,7 +118,7 @@ def tie(
         "call": call,
         "fields": used,
         "only": _only(options.get("only-for"), name, every),
-        "start": options.get("start"),
+        "start": _start(options.get("start"), source.with_suffix(".ts")),
         "rows": rows,
     }
 
@@ -143,8 +145,10 @@ def _call(text: str, contract: Path, figure: str, known: tuple[str, ...]) -> tup
 def _row(line: str, figure: str, fields: Fields) -> dict[str, Any]:
     match = _ROW.fullmatch(line.strip())
     if not match:
-        raise BookError(f"'{line.strip()}' is not LABEL: mine... = FIELD or ... = FIELD if FIELD")
-    for part in ("book", "when"):
+        raise BookError(
+            f"'{line.strip()}' is not LABEL: mine... = FIELD, with if FIELD or while FIELD"
+        )
+    for part in ("book", "when", "asked"):
         if match[part] is not None:
             _need(match[part], fields.outputs, figure)
     return {
@@ -153,7 +157,14 @@ def _row(line: str, figure: str, fields: Fields) -> dict[str, Any]:
         "book": match["book"],
         "index": None if match["index"] is None else int(match["index"]),
         "when": match["when"],
+        "asked": match["asked"],
     }
+
+
+def _start(label: str | None, drawn: Path) -> str | None:
+    if label is not None and f'label: "{label}"' not in drawn.read_text(encoding="utf-8"):
+        raise BookError(f":start: is a state of figure {drawn.stem}, and {label!r} is none")
+    return label
 
 
 def _only(text: str | None, figure: str, known: tuple[str, ...]) -> dict[str, Any] | None:

@@ -67,13 +67,13 @@ export class ContactFigure extends HTMLElement {
     this.#model?.set(fields);
   }
 
-  /** Shows one of the states that a control of the loaded figure offers, by its label. */
+  /** Shows one of the states that a control of the loaded figure offers, by its label; all else as at the start. */
   show(label: string): void {
     const controls = this.#model?.figure.controls ?? [];
     const states = controls.flatMap((one) => (one.kind === "states" ? one.options : []));
     const state = states.find((one) => one.label === label);
     if (!state) throw new Error(`the figure has no state "${label}"`);
-    this.set(state.fields as Fields);
+    this.set({ ...this.#model?.figure.initial, ...state.fields } as Fields);
   }
 
   reset(): void {

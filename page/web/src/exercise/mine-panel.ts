@@ -56,7 +56,14 @@ export class MinePanel {
 
   show(rows: readonly Found[], output: Fields): void {
     const differing: string[] = [];
+    let compared = 0;
     const lines = this.#tie.rows.map((row, i) => {
+      if (row.asked && !output[row.asked]) {
+        const line = html("tr", {}, html("th", { scope: "row" }, row.label));
+        line.append(html("td", {}, "–"), html("td", {}, "–"));
+        return line;
+      }
+      compared++;
       const mine = rows[i];
       const book = booksOwn(row, output, mine?.kind ?? "numbers");
       const equal = same(mine, book);
@@ -70,6 +77,12 @@ export class MinePanel {
       line.classList.toggle("different", !equal);
       return line;
     });
+    if (compared === 0) {
+      const words =
+        "Your answer is not compared here: the figure’s own is rounded, or about another case.";
+      this.say(words, "trouble");
+      return;
+    }
     this.#body.replaceChildren(...lines);
     this.#table.hidden = false;
     this.element.setAttribute("state", differing.length > 0 ? "different" : "same");

@@ -28,6 +28,8 @@ export interface TieRow {
   readonly index: number | null;
   /** The field that says whether the book has this. */
   readonly when: string | null;
+  /** The field that says whether the two are compared. */
+  readonly asked: string | null;
 }
 
 /** One row of an answer; nothing if there is none. */
