@@ -40,14 +40,14 @@ test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scr
 test|valgrind|command valgrind|-|Valgrind: counts the instructions of a run
 benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons, rays, meshes, triangle pairs, bounding volumes and broad phase, decided exactly
 benchmarks|libqhull-dev|header libqhull_r/qhull_ra.h|qhull|Qhull: convex hulls
-benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes, broad phase, pairs of convex bodies and scenes
+benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes, broad phase, pairs of convex bodies, times of impact and scenes
 benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes, broad phase and pairs of convex bodies
 benchmarks|libccd-dev|header ccd/ccd.h|libccd|libccd: pairs of convex bodies
-benchmarks|cargo|command cargo|rust|Cargo: unpacks the source of Box3D, for broad phase and pairs of convex bodies
-benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane
+benchmarks|cargo|command cargo|rust|Cargo: unpacks the sources of Box3D and Box2D 3, for broad phase, pairs of convex bodies and times of impact
+benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane and times of impact
 benchmarks|libgeos++-dev|header geos/algorithm/PointLocation.h|geos|GEOS: points in polygons
 benchmarks|libembree-dev|header embree3/rtcore.h embree4/rtcore.h|embree|Embree 3: rays
-benchmarks|libfcl-dev|header fcl/fcl.h|fcl|FCL: segments, meshes, triangle pairs, broad phase and pairs of convex bodies
+benchmarks|libfcl-dev|header fcl/fcl.h|fcl|FCL: segments, meshes, triangle pairs, broad phase, pairs of convex bodies and times of impact
 END
 }
 
@@ -304,11 +304,22 @@ setup_npm() { # the folder of package-lock.json
   cp "$setup_pins" "$setup_stamp"
 }
 
+setup_cargo_reads() { # can Cargo read a folder's packages? rust-version in Cargo.toml says which it takes: 1.85
+  setup_wants=$(sed -n 's/^rust-version = "1\.\([0-9]*\)".*/\1/p' "$root/$1/Cargo.toml")
+  [ -n "$setup_wants" ] || return 0
+  setup_has=$(cargo --version | sed -n 's/^cargo [01]\.\([0-9]*\)\..*/\1/p')
+  [ "${setup_has:-0}" -ge "$setup_wants" ]
+}
+
 setup_crates() { # the folder of Cargo.lock
   setup_pins=$root/$1/Cargo.lock
   [ -f "$setup_pins" ] || return 0
-  setup_stamp=$root/build/crates/contact-Cargo.lock
+  setup_stamp=$root/build/crates/contact-$(basename "$1")-Cargo.lock
   cmp -s "$setup_pins" "$setup_stamp" && return 0
+  if ! setup_cargo_reads "$1"; then
+    say "$(cargo --version) cannot read the packages of $1/Cargo.toml: they take Cargo 1.$setup_wants. They are left out."
+    return 0
+  fi
   say "Unpacking the sources of $1/Cargo.toml into build/crates:" \
     "$(sed -n 's/^\([a-z0-9_-]*\) = "=\([0-9][^"]*\)".*/\1@\2/p' "$root/$1/Cargo.toml" | tr '\n' ' ')"
   setup_log=$root/build/logs/setup-crates.log
@@ -356,5 +367,6 @@ setup() {
     setup_venv benchmarks venv-benchmarks
     setup_npm benchmarks
     setup_crates benchmarks/crates
+    setup_crates benchmarks/crates/box2d
   fi
 }

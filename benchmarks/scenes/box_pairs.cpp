@@ -26,7 +26,7 @@ Times by_book(const Pairs& pairs) {
   Times times;
   times.reserve(pairs.size());
   for (const auto& [a, b] : pairs) {
-    const auto touch = contact::box_sweep(a, b);
+    const auto touch = contact::box_impact(a, b);
     times.push_back(touch ? std::optional<double>(touch->t) : std::nullopt);
   }
   return times;

@@ -333,7 +333,7 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
                          oracle::exact(sphere.radius);
     const Rational rate = n.dot(oracle::exact(velocity));
     const Rational bend = n.dot(oracle::exact(gravity));
-    const auto got = contact::ballistic_sphere_plane(sphere, velocity, gravity, plane);
+    const auto got = contact::ballistic_impact(sphere, velocity, gravity, plane);
     INFO("kind " << i % 5 << ": " << double(gap) << ", " << double(rate) << ", " << double(bend));
     if (gap <= 0 && (rate < 0 || (rate == 0 && bend < 0))) {
       REQUIRE(got.has_value());

@@ -281,7 +281,7 @@ TEST_CASE("bodies dropped into a box stay in it and lose energy") {
   }
 }
 
-TEST_CASE("a hull meets half-spaces, and is rejected with anything else") {
+TEST_CASE("a hull meets half-spaces, and is not rejected with anything else") {
   Scene scene = with_gravity(0, 0.5, 1, 1e-3);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   contact::HullShape cube;
@@ -293,9 +293,8 @@ TEST_CASE("a hull meets half-spaces, and is rejected with anything else") {
   run->advance(1);
   CHECK(std::abs(run->position(1).z() - 0.1) <= 1e-9);
   plan_scenes::ball(scene, 0.1, 1, {0, 0, 2});
-  const auto refusal = contact::scenes::run_refusal(scene, contact::plan_scene(scene));
-  REQUIRE(refusal);
-  CHECK(refusal->find("bodies[1].shape (body_1)") != std::string::npos);
-  CHECK(refusal->find("half-spaces only") != std::string::npos);
-  CHECK_THROWS_AS(run_of(scene), std::invalid_argument);
+  REQUIRE_FALSE(contact::scenes::run_refusal(scene, contact::plan_scene(scene)));
+  run = run_of(scene);
+  run->advance(1);
+  CHECK(std::abs(run->position(2).z() - 0.3) <= 1e-6);
 }

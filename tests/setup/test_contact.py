@@ -345,7 +345,7 @@ def test_the_peers_of_the_benchmarks_are_pinned() -> None:
         return [line for line in lines if not line.startswith("#")]
 
     asked = pins("requirements.in")
-    assert {"coacd", "libcoal", "libigl", "miniballcpp", "vhacdx"} == {
+    assert {"coacd", "ipctk", "libcoal", "libigl", "miniballcpp", "vhacdx"} == {
         line.split("==")[0] for line in asked
     }
     # With all that they need, each in one version.
@@ -362,13 +362,29 @@ def test_the_peers_of_the_benchmarks_are_pinned() -> None:
     page = json.loads((ROOT / "page/package.json").read_text())["dependencies"]
     assert wanted["three"] == page["three"]
 
-    crates = tomllib.loads((ROOT / "benchmarks/crates/Cargo.toml").read_text())["dependencies"]
-    lock = tomllib.loads((ROOT / "benchmarks/crates/Cargo.lock").read_text())["package"]
-    assert "box3d-sys" in crates
-    for name, version in crates.items():
-        (package,) = [package for package in lock if package["name"] == name]
-        assert version == f"={package['version']}"
-        assert re.fullmatch("[0-9a-f]{64}", package["checksum"])
+    for folder, peer in (("crates", "box3d-sys"), ("crates/box2d", "boxdd-sys")):
+        place = ROOT / "benchmarks" / folder
+        crates = tomllib.loads((place / "Cargo.toml").read_text())["dependencies"]
+        lock = tomllib.loads((place / "Cargo.lock").read_text())["package"]
+        assert peer in crates
+        for name, version in crates.items():
+            (package,) = [package for package in lock if package["name"] == name]
+            assert version == f"={package['version']}"
+            assert re.fullmatch("[0-9a-f]{64}", package["checksum"])
+
+
+@pytest.mark.parametrize(
+    ("version", "read"), [("cargo 0.66.0", False), ("cargo 1.84.1", False), ("cargo 1.85.0", True)]
+)
+def test_packages_that_an_old_cargo_cannot_read_are_left_out(version: str, read: bool) -> None:
+    script = """root=.; . tools/setup.sh
+cargo() { echo "$version"; }
+setup_cargo_reads benchmarks/crates && setup_cargo_reads benchmarks/crates/box2d
+"""
+    done = subprocess.run(
+        ["sh", "-c", script], cwd=ROOT, env={**os.environ, "version": version}, check=False
+    )
+    assert (done.returncode == 0) == read
 
 
 @pytest.mark.parametrize(
@@ -385,6 +401,7 @@ def test_the_peers_of_the_benchmarks_are_pinned() -> None:
                 "venv benchmarks venv-benchmarks",
                 "npm benchmarks",
                 "crates benchmarks/crates",
+                "crates benchmarks/crates/box2d",
             ],
         ),
     ],

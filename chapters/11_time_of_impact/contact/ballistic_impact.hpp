@@ -16,9 +16,9 @@ namespace contact {
 
 /// The position after a time under constant acceleration: x + (v + (a t) / 2) t.
 /// @param position m
-/// @param velocity at the start, m/s
-/// @param acceleration m/s²
-/// @param t s
+/// @param velocity at the start, m for each unit of time
+/// @param acceleration m for each square of that unit
+/// @param t in that unit: steps, or s
 template <Scalar S>
 Vector3<S> ballistic_position(const Vector3<S>& position, const Vector3<S>& velocity,
                               const Vector3<S>& acceleration, const S& t) {
@@ -93,15 +93,16 @@ std::optional<S> fall_time(const FallTerms<Exact>& f) {
 /// which it is back; if it does not separate, the time at which it stops moving away. A sphere that
 /// lies on the plane without acceleration gives nothing.
 /// @param sphere at t = 0, m, finite, with a radius that is not negative
-/// @param velocity at t = 0, m/s, finite
-/// @param gravity constant acceleration, m/s², finite; 0 is allowed
+/// @param velocity at t = 0, times the step: its displacement without gravity, m, finite
+/// @param gravity constant acceleration times the square of the step, m, finite; 0 is allowed. With
+/// a velocity in m/s and an acceleration in m/s² the step is 1 s, and t is in s
 /// @param plane with a unit normal; the half-space behind it is solid
-/// @return s; nothing if the sphere never hits the plane, or only after the largest finite time.
-/// Relative error at most 8 u for times from 2^-500 s to 2^500 s in double (2^-60 s to 2^60 s in
-/// float)
+/// @return t, in steps, without an end: more than 1 is after the step. Nothing if the sphere never
+/// hits the plane, or only after the largest finite time. Relative error at most 8 u for times from
+/// 2^-500 to 2^500 in double (2^-60 to 2^60 in float)
 template <std::floating_point S>
-std::optional<S> ballistic_sphere_plane(const Sphere<S>& sphere, const Vector3<S>& velocity,
-                                        const Vector3<S>& gravity, const Plane<S>& plane) {
+std::optional<S> ballistic_impact(const Sphere<S>& sphere, const Vector3<S>& velocity,
+                                  const Vector3<S>& gravity, const Plane<S>& plane) {
   const Vector3<Exact> normal = exact_vector(plane.normal);
   const detail::FallTerms<Exact> terms{
       normal.dot(exact_vector(sphere.centre)) - Exact(double(plane.offset)) -

@@ -24,16 +24,16 @@ namespace contact {
 enum class ConservativeEnd {
   impact,  ///< the bodies are separated by at most the tolerance
   clear,   ///< the end of the step is reached without a touch
-  gave_up  ///< too many advances: the bodies are separated until t, and the rest is unknown
+  gave_up  ///< too many advances: the bodies do not touch before t, and the rest is unknown
 };
 
 /// The result of a conservative advancement.
 template <std::floating_point S>
 struct ConservativeAdvance {
   ConservativeEnd end = ConservativeEnd::clear;  ///< how it ended
-  S t = S(0);                                    ///< s; the bodies do not touch before it
-  S distance = S(0);                             ///< the lower bound on their distance at t, m
-  int advances = 0;                              ///< number of distance evaluations
+  S t = S(0);         ///< in the unit of the duration; the bodies do not touch before it
+  S distance = S(0);  ///< the lower bound on their distance at t, m
+  int advances = 0;   ///< number of distance evaluations
 };
 
 // [conservative-advancement]
@@ -41,19 +41,21 @@ struct ConservativeAdvance {
 ///
 /// If the distance of the bodies is at least `distance(t)` at t, and no two of their points
 /// approach faster than μ, they cannot touch before t + distance(t) / μ. There the distance is
-/// evaluated again. So no impact is passed, however fast the bodies rotate. The price: the advances
-/// get shorter and shorter, and end at a small distance in place of 0.
+/// evaluated again. So no impact is passed, however fast the bodies rotate. The price: close
+/// to a touch the advances get shorter and shorter, and end at a small distance in place of 0.
 /// @param distance distance(t): a lower bound on the distance of the bodies at t, m; defined for
 /// all t, at most 0 where they touch
 /// @param approach μ, an upper bound on the speed at which any two of their points approach in the
-/// step, m/s, finite and not negative; see approach_bound()
-/// @param duration of the step, s, finite and not negative
+/// step, m for each unit of time, finite and not negative; see approach_bound()
+/// @param duration of the step, finite and not negative: 1 for times that are fractions of the
+/// step, and then speeds are displacements in the step; or in s, with speeds in m/s
 /// @param tolerance m, greater than 0: an impact is where the lower bound is no greater. It must
 /// exceed the rounding error of `distance`
 /// @param max_advances at least 1
 /// @return t is never after the impact, up to the rounding of its sum: each advance is shortened by
 /// 4 u of itself, and t is rounded down. In exact arithmetic an advance covers at least tolerance /
-/// μ, so with max_advances > μ duration / tolerance the result is never gave_up
+/// μ, so with max_advances > μ duration / tolerance the result is never gave_up. It is gave_up if
+/// a distance is NaN
 /// @throws std::invalid_argument if a number does not satisfy these conditions
 ///
 /// Source: Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis,
@@ -70,9 +72,11 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
     throw_invalid_argument("tolerance", number_text(tolerance), "must exceed 0");
   }
   ConservativeAdvance<S> advance;
+  // [advance]
   while (advance.advances < max_advances) {
     advance.distance = distance(advance.t);
     ++advance.advances;
+    if (std::isnan(advance.distance)) break;
     if (advance.distance <= tolerance) {
       advance.end = ConservativeEnd::impact;
       return advance;
@@ -85,12 +89,15 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
     }
     advance.t = std::nextafter(advance.t + sure / approach, S(0));
   }
+  // [/advance]
   advance.end = ConservativeEnd::gave_up;
   return advance;
 }
 // [/conservative-advancement]
 
-/// A box that moves with constant velocity and angular velocity about its centre during a step.
+/// A box that moves with constant velocity and angular velocity about its centre during a step. The
+/// unit of time is that of the step's duration: with a duration of 1 these are a displacement and
+/// an angle in the step.
 template <std::floating_point S>
 struct RotatingBox {
   Vector3<S> position = Vector3<S>::Zero();      ///< of its centre at the start, m
@@ -102,7 +109,7 @@ struct RotatingBox {
 };
 
 /// Position and orientation of the box at a time.
-/// @param t s
+/// @param t in the unit of the velocities
 template <std::floating_point S>
 CoordinateFrame<S> frame_at(const RotatingBox<S>& box, S t) {
   const Quaternion<S> rotation = exponential<S>(box.angular_velocity * t);
@@ -112,7 +119,7 @@ CoordinateFrame<S> frame_at(const RotatingBox<S>& box, S t) {
 // [approach-bound]
 /// An upper bound on the speed at which any two points of two boxes approach each other: |v_a −
 /// v_b| + |ω_a| r_a + |ω_b| r_b, where r is half the diagonal of a box. Rounded upwards.
-/// @return m/s
+/// @return m for each unit of time of the velocities
 template <std::floating_point S>
 S approach_bound(const RotatingBox<S>& a, const RotatingBox<S>& b) {
   const auto length = [](const Vector3<S>& v) {
@@ -166,7 +173,7 @@ S axis_distance(const CoordinateFrame<S>& a, const Vector3<S>& half_a, const Coo
 /// The time at which two boxes with constant velocities and angular velocities first come within
 /// the tolerance of each other.
 /// @param a, b with orthonormal axes and positive half lengths
-/// @param duration of the step, s
+/// @param duration of the step, in the unit of time of the velocities
 /// @param tolerance m, well above 2^-45 of the boxes' sizes and distance
 /// @param max_advances at least 1
 /// @return see ConservativeAdvance. If two edges stay parallel to 2^-10 while their axis is the
@@ -189,7 +196,7 @@ ConservativeAdvance<S> rotating_boxes_impact(const RotatingBox<S>& a, const Rota
 /// Its distance from the plane has a closed form: that of the centre less the support of the half
 /// lengths along the normal, n·c − k − Σ hⱼ |n·axisⱼ|.
 /// @param plane with a unit normal; the half-space behind it is solid
-/// @param duration of the step, s
+/// @param duration of the step, in the unit of time of the velocities
 /// @param tolerance m
 /// @param max_advances at least 1
 template <std::floating_point S>

@@ -26,7 +26,6 @@ namespace detail {
 /// its absolute terms, of approach γ(5), of depth γ(12): with the sixteenth, relative errors of 112
 /// u, 80 u and 192 u. So the signs are right, and the relative error of (gap) / (approach + √depth)
 /// is less than 112 + 96 + 8 u.
-/// + 96 + 8 u.
 template <std::floating_point S>
 std::optional<EntryTerms<S>> sure_entry_terms(const Vector3<S>& d, const Vector3<S>& w,
                                               S radius_sum) {
@@ -72,14 +71,17 @@ EntryTerms<Exact> exact_entry_terms(const Sphere<S>& a, const Vector3<S>& veloci
 /// gravity, their relative velocity is constant, so the same function holds for them, with the
 /// velocities at t = 0.
 ///
-/// Spheres that touch or overlap now give 0 if they approach, and nothing otherwise: a pair that
-/// has just collided does not collide again. Spheres that graze, touching only for an instant, do
-/// touch. Floating-point arithmetic decides where it is certain, exact arithmetic otherwise.
+/// This is the time of a collision: moving_spheres_impact() gives that of a touch in the step, as
+/// for all other bodies. Spheres that touch or overlap now give 0 if they approach, and nothing
+/// otherwise: a pair that has just collided does not collide again. Spheres that graze, touching
+/// only for an instant, do touch. Floating-point arithmetic decides where it is certain, exact
+/// arithmetic otherwise.
 /// @param a, b at t = 0, m, finite, with radii that are not negative
-/// @param velocity_a, velocity_b m/s, finite; or displacements in a step, m, and then t is a
-/// fraction of the step
-/// @return s; nothing if they never touch, or only after the largest finite time. The decision is
-/// right for every finite input; the time has a relative error of at most 256 u, without underflow
+/// @param velocity_a, velocity_b displacements in the step, m, finite. As the motion goes on
+/// unchanged, any other unit of time may be the step: with velocities in m/s t is in s
+/// @return t, in steps, at least 0 and without an end: more than 1 is after the step. Nothing if
+/// they never touch, or only after the largest finite time. The decision is right for every finite
+/// input; the time has a relative error of at most 256 u, without underflow
 /// @see *Fundamentals of Computer Animation*, slides "How About 2 MOVING spheres?", which slice the
 /// step instead
 template <std::floating_point S>
@@ -104,7 +106,7 @@ std::optional<S> sphere_sphere_impact(const Sphere<S>& a, const Vector3<S>& velo
 
 /// Whether they touch at a time from 0 to `last`, in the sense of sphere_sphere_impact(): decided
 /// exactly. A comparison of the rounded time with the end of a step would not be.
-/// @param last s, finite
+/// @param last in steps, finite: 1 for the end of the step
 template <std::floating_point S>
 bool spheres_touch_by(const Sphere<S>& a, const Vector3<S>& velocity_a, const Sphere<S>& b,
                       const Vector3<S>& velocity_b, S last) {

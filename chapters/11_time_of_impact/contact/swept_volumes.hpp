@@ -45,7 +45,9 @@ inline bool segments_within(const Vector3<Exact>& d, const Vector3<Exact>& u,
 ///
 /// If not, the spheres do not touch in the step. If so, they may: one can have left before the
 /// other arrives. Swept volumes ignore time; sphere_sphere_impact(), which uses the relative
-/// motion, does not.
+/// motion, does not. They are enough where one of the spheres is at rest: it is at each of its
+/// positions at all times, so the other touches it where their volumes meet. In the relative motion
+/// that is always so.
 /// @param a, b at the start, m, finite, with radii that are not negative
 /// @param displacement_a, displacement_b in the step, m, finite
 /// @return right for every finite input; touching counts

@@ -1,5 +1,6 @@
 /// @file
-/// Tunnelling: when no impact can be missed between two steps, and how long a missed chord can be.
+/// Tunnelling: when a body cannot pass through another between two tests, and how long a missed
+/// chord can be.
 ///
 /// Every bound is rounded upwards, so the proof holds for the stored numbers.
 #pragma once
@@ -94,7 +95,8 @@ struct TunnellingBound {
   S displacement = S(0);  ///< the largest relative displacement in a step, m, rounded upwards
   S thickness = S(0);     ///< of the obstacle, m, rounded downwards
 
-  /// Whether it is proven that no impact is missed: displacement ≤ thickness.
+  /// Whether it is proven that no test misses a passage from one side of the obstacle to the other:
+  /// displacement ≤ thickness. See slab_tunnelling() for what can still be missed.
   bool nothing_passes() const { return displacement <= thickness; }
 };
 
@@ -104,8 +106,13 @@ struct TunnellingBound {
 /// A slab is the space between two parallel planes: a wall. The body contains a ball of radius ρ
 /// about its centre. While the centre is within w/2 + ρ of the middle plane of the slab, they
 /// touch: a layer of thickness w + 2 ρ. To be behind it at one test and in front of it at the test
-/// before, the centre must move by more than that. So if it moves by at most w + 2 ρ in a step, one
-/// of the tests finds the touch. (A smaller ρ, at least 0, gives a valid but weaker bound.)
+/// before, the centre must move by more than that. So if it moves by at most w + 2 ρ in a step, it
+/// does not get to the other side unless a test finds the touch. (A smaller ρ, at least 0, gives a
+/// valid but weaker bound.)
+///
+/// A ball of radius ρ whose centre moves at a constant velocity does not turn back, so no touch of
+/// it is missed. Other bodies may touch the slab and leave it on the same side between two tests:
+/// an accelerated ball turns back, and the end of a rod that turns reaches beyond ρ.
 /// @param body made by mover(); the slab is at rest in the frame in which the displacement is
 /// measured
 /// @param thickness w of the slab, m
@@ -120,9 +127,10 @@ TunnellingBound<S> slab_tunnelling(const Mover<S>& body, S thickness, S displace
 /// The same for two bodies: the inner balls touch while the centres are within ρ = ρ_a + ρ_b, and
 /// along a line through the centre that is a path of 2 ρ.
 ///
-/// It proves that no two bodies pass through each other along such a line, or along any line that
-/// cuts a chord of at least the displacement out of the ball of radius ρ. Shorter chords, near the
-/// rim, may be missed: missed_chord() bounds them.
+/// It proves that no two bodies whose centres move straight, relative to each other, pass through
+/// each other along such a line, or along any line that cuts a chord of at least the displacement
+/// out of the ball of radius ρ. Shorter chords, near the rim, may be missed: missed_chord() bounds
+/// them. Touches of what is outside the inner balls may be missed, too.
 template <std::floating_point S>
 TunnellingBound<S> pair_tunnelling(const Mover<S>& a, const Mover<S>& b, S displacement) {
   detail::require_not_negative("displacement", displacement);

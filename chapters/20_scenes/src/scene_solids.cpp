@@ -156,8 +156,7 @@ CONTACT_SCENES_INLINE SceneCore scene_core(const SceneBody& body) {
 }
 
 // [origin-gap]
-/// The signed distance between the origin and the convex hull of points: inside, minus the distance
-/// of the nearest face. Faces so narrow that rounding decides their orientation are left out; their
+/// Faces so narrow that rounding decides their orientation are left out; their
 /// neighbours are equally near.
 CONTACT_SCENES_INLINE double origin_gap(const std::vector<Vector3<double>>& points) {
   const Hull hull = convex_hull(points);

@@ -12,13 +12,16 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
+#include <contact/convex_bodies.hpp>
 #include <contact/frame.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/signed_distance.hpp>
+#include <contact/stepped/hull_contact.hpp>
 #include <contact/stepped/stage_pairs.hpp>
 #include <contact/stepped/stepped_state.hpp>
+#include <contact/support.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -32,6 +35,26 @@ CONTACT_SCENES_INLINE HullVertices transformed(const HullVertices& shape,
   return moved;
 }
 
+namespace detail {
+
+/// A hull as a convex body; other shapes are convex bodies already.
+CONTACT_SCENES_INLINE ConvexHull<double> convex_body(const HullVertices& shape) {
+  return {shape.points, 0};
+}
+template <class Shape>
+const Shape& convex_body(const Shape& shape) {
+  return shape;
+}
+
+/// Whether one of two shapes is a hull, and none a half-space.
+template <class A, class B>
+inline constexpr bool hull_meets_body =
+    (std::same_as<A, HullVertices> ||
+     std::same_as<B, HullVertices>)&&!std::same_as<A, HalfSpace<double>> &&
+    !std::same_as<B, HalfSpace<double>>;
+
+}  // namespace detail
+
 CONTACT_SCENES_INLINE SignedDistance<double> signed_distance_of_shapes(const StepShape& a,
                                                                        const StepShape& b) {
   return std::visit(
@@ -42,6 +65,8 @@ CONTACT_SCENES_INLINE SignedDistance<double> signed_distance_of_shapes(const Ste
           SignedDistance<double> none;
           none.distance = std::numeric_limits<double>::infinity();
           return none;
+        } else if constexpr (detail::hull_meets_body<A, B>) {
+          return signed_distance(detail::convex_body(one), detail::convex_body(other));
         } else if constexpr (std::same_as<A, HullVertices>) {
           return signed_distance<double>(one.points, 0.0, other);
         } else {
@@ -61,6 +86,12 @@ CONTACT_SCENES_INLINE ContactManifold<double> manifold_of_shapes(const StepShape
         ContactManifold<double> manifold;
         if constexpr (!has_narrow_phase<A, B>) {
           return manifold;
+        } else if constexpr (detail::hull_meets_body<A, B>) {
+          const auto& first = detail::convex_body(one);
+          const auto& second = detail::convex_body(other);
+          return face_contact(core_vertices(first), core_vertices(second),
+                              radius_of(first) + radius_of(second), signed_distance(first, second),
+                              margin);
         } else if constexpr (std::same_as<A, HullVertices>) {
           manifold.normal = other.boundary.normal;
           for (const Vector3<double>& point : one.points) {

@@ -17,6 +17,7 @@
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
+#include <contact/scene/scene_solids.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/stage_forces.hpp>
 #include <contact/stepped/stage_impacts.hpp>
@@ -92,6 +93,17 @@ CONTACT_SCENES_INLINE ActiveAxes active_rotation_axes(const Scene& scene, const 
 }
 // [/kept-axes]
 
+/// Sets half the thickness of hulls that may meet other bodies: the distance of the nearest face
+/// from the origin, which is their centre of mass.
+CONTACT_SCENES_INLINE void set_cores_of_hulls(SteppedSetup& setup) {
+  for (SteppedBody& body : setup.bodies) {
+    const auto* hull = std::get_if<HullVertices>(&body.shape);
+    if (hull == nullptr) continue;
+    const double inner = -origin_gap(hull->points);
+    if (inner > 0) body.core = inner;
+  }
+}
+
 // [stepped-setup]
 /// The setup of a scene by its plan. An effect that is off is removed from the materials too:
 /// without friction all are smooth, without restitution e is 0, without penalty contact all are
@@ -111,6 +123,7 @@ CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan&
     if (kind == 0) setup.movers = setup.bodies.size();
     if (kind == 1) setup.bounded = setup.bodies.size();
   }
+  if (setup.bounded > 1 && plan.pairs > 0) set_cores_of_hulls(setup);
   // The gyroscopic term changes angular velocities, so it includes rotation.
   setup.gyroscopic = is_on(plan, Effect::gyroscopic_term);
   setup.rotation = is_on(plan, Effect::rotation) || setup.gyroscopic;

@@ -16,6 +16,10 @@ namespace detail {
 /// Mass properties of the hull of points with a density of 1; empty if they lie in a plane.
 std::optional<MassProperties<double>> hull_matter(const std::vector<Vector3<double>>& points);
 
+/// The signed distance between the origin and the convex hull of points, m: inside, minus the
+/// distance of the nearest face.
+double origin_gap(const std::vector<Vector3<double>>& points);
+
 }  // namespace detail
 
 /// The volume of a shape.

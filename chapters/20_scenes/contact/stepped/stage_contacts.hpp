@@ -14,6 +14,7 @@
 #include <contact/pose.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/signed_distance.hpp>
+#include <contact/stepped/hull_contact.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 
@@ -22,19 +23,18 @@ namespace contact {
 /// A hull in its body's pose.
 HullVertices transformed(const HullVertices& shape, const CoordinateFrame<double>& frame);
 
-/// Whether there is a narrow phase for two shapes: for all except a hull with anything but a
-/// half-space, and two half-spaces.
+/// Whether there is a narrow phase for two shapes: for all except two half-spaces, and a half-space
+/// before a hull. A half-space is always the second of a pair.
 template <class A, class B>
 inline constexpr bool has_narrow_phase =
-    std::same_as<A, HullVertices>
-        ? std::same_as<B, HalfSpace<double>>
-        : !std::same_as<B, HullVertices> &&
-              !(std::same_as<A, HalfSpace<double>> && std::same_as<B, HalfSpace<double>>);
+    !(std::same_as<A, HalfSpace<double>> &&
+      (std::same_as<B, HalfSpace<double>> || std::same_as<B, HullVertices>));
 
 /// The signed distance of two shapes in the world; infinite if there is no narrow phase for them.
 SignedDistance<double> signed_distance_of_shapes(const StepShape& a, const StepShape& b);
 
-/// The points at which two shapes are at most the margin apart.
+/// The points at which two shapes are at most the margin apart; of a hull and another bounded body
+/// those of face_contact().
 ContactManifold<double> manifold_of_shapes(const StepShape& a, const StepShape& b, double margin);
 
 /// A body's shape in its present pose.
