@@ -1,9 +1,11 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// The stability of steps, the damping regime, whether balls touch and whether a contact pulls are
-// signs of polynomials of the stored numbers (class (a)); a longest step and a depth under gravity
-// have one square root (class (b)); restitution, duration and depth of an impact are transcendental
-// (class (c)). Decisions must be right. A number may have a relative error of 2^-40.
+// The stability of steps, the damping regime, the force of a state, the stiffness for an overlap
+// and the energy after a bounce in steps are rational in the stored numbers (class (a)), as is
+// whether balls touch; a longest step, a depth under gravity and the overlap of two balls have one
+// square root (class (b)); restitution, duration, depth and force of an impact and the damper for a
+// restitution are transcendental (class (c)). Decisions must be right. A number may have a relative
+// error of 2^-40, a force and an overlap that of the terms of which they are the difference.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -11,42 +13,29 @@
 #include <contact/penalty_step.hpp>
 #include <contact/spring_impact.hpp>
 #include <contact/trampoline.hpp>
-#include <cstdlib>
-#include <optional>
+#include <limits>
 #include <string>
 
-using contact::ContactRelease;
+#include "hard_contact.hpp"
+
 using contact::PenaltyScheme;
 using contact::StepBehaviour;
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_contact::exact_impact;
+using hard_contact::ExactImpact;
+using hard_contact::flag;
+using hard_contact::nearest_text;
+using hard_contact::rule;
+using hard_contact::same;
+using hard_contact::scheme;
+using hard_contact::spring;
+using hard_contact::turn;
 using oracle::Interval;
 using oracle::Rational;
 using oracle::Surd;
 
 namespace {
-
-constexpr double kTurn = 3.141592653589793;
-
-contact::SpringDamper<double> spring(const Case& c) {
-  return contact::spring_damper(c.number("stiffness"), c.number("damping"));
-}
-
-/// A field that is a flag: 0 or 1.
-bool flag(const Case& c, const char* field) { return c.number(field) != 0; }
-
-PenaltyScheme scheme(const Case& c) {
-  return static_cast<PenaltyScheme>(static_cast<int>(c.number("scheme")));
-}
-ContactRelease rule(const Case& c) {
-  return flag(c, "glued") ? ContactRelease::at_zero_penetration : ContactRelease::at_zero_force;
-}
-
-bool same(double got, const Json& answer, const char* field) {
-  const double right = std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
-  if (std::isinf(right)) return got == right;
-  return std::isfinite(got) && std::abs(got - right) <= std::ldexp(std::abs(right), -40);
-}
 
 std::string text(StepBehaviour behaviour) {
   switch (behaviour) {
@@ -145,6 +134,10 @@ void add_regime(hard_cases::Runner& runner) {
   };
   method("ζ − 1", [](double k, double c, double m) { return c / (2 * std::sqrt(k * m)) - 1; });
   method("c² − 4km", [](double k, double c, double m) { return c * c - 4 * k * m; });
+  method("c² − 4km, within 1e-15", [](double k, double c, double m) {
+    const double excess = c * c - 4 * k * m;
+    return std::abs(excess) <= 1e-15 ? 0.0 : excess;
+  });
   runner.method("regime", "book", [](const Case& c, const Json& answer) {
     switch (contact::damping_regime(spring(c), c.number("mass"))) {
       case contact::DampingRegime::underdamped:
@@ -192,36 +185,9 @@ void add_limit(hard_cases::Runner& runner) {
          [](const Case& c) { return contact::step_limit(scheme(c), spring(c), c.number("mass")); });
 }
 
-/// Restitution, duration and depth of an impact by intervals.
-struct ExactImpact {
-  Rational k, c, m;
-
-  explicit ExactImpact(const Case& x)
-      : k(oracle::exact(x.number("stiffness"))),
-        c(oracle::exact(x.number("damping"))),
-        m(oracle::exact(x.number("mass"))) {}
-
-  Rational rest() const { return c * c - 4 * k * m; }
-  Interval ratio(unsigned bits) const { return sqrt(Interval(c * c / (4 * k * m), bits)); }
-  /// θ / sin θ.
-  Interval arc(unsigned bits) const {
-    const Interval one(Rational(1), bits);
-    if (rest() == 0) return one;
-    const Interval z = ratio(bits);
-    const Interval root = sqrt(Interval(Rational(abs(rest()) / (4 * k * m)), bits));
-    return rest() < 0 ? acos(z) / root : log(z + root) / root;
-  }
-  Interval rate(unsigned bits) const { return sqrt(Interval(k / m, bits)); }
-};
-
-Json nearest_text(const oracle::Expression& value) {
-  const std::optional<double> nearest = oracle::nearest_value(value);
-  return Json(nearest ? hard_cases::hex(*nearest) : std::string("undecided"));
-}
-
 void add_restitution(hard_cases::Runner& runner) {
   runner.question("restitution", [](const Case& c) {
-    const ExactImpact x(c);
+    const ExactImpact x = exact_impact(c);
     if (flag(c, "glued")) {
       if (x.rest() >= 0) return Json{{"class", "c"}, {"e", hard_cases::hex(0.0)}};
       if (x.c == 0) return Json{{"class", "c"}, {"e", hard_cases::hex(1.0)}};
@@ -245,10 +211,10 @@ void add_restitution(hard_cases::Runner& runner) {
   const auto ratio = [](const Case& c) {
     return c.number("damping") / (2 * std::sqrt(c.number("stiffness") * c.number("mass")));
   };
-  method("exp(−πζ)", [ratio](const Case& c) { return std::exp(-kTurn * ratio(c)); });
+  method("exp(−πζ)", [ratio](const Case& c) { return std::exp(-turn * ratio(c)); });
   method("exp(−πζ/√(1−ζ²))", [ratio](const Case& c) {
     const double z = ratio(c);
-    return z < 1 ? std::exp(-kTurn * z / std::sqrt(1 - z * z)) : 0.0;
+    return z < 1 ? std::exp(-turn * z / std::sqrt(1 - z * z)) : 0.0;
   });
   method("exp(−2ζ arccos ζ/√(1−ζ²))", [ratio](const Case& c) {
     const double z = ratio(c);
@@ -261,7 +227,7 @@ void add_restitution(hard_cases::Runner& runner) {
 
 void add_duration(hard_cases::Runner& runner) {
   runner.question("duration", [](const Case& c) {
-    const ExactImpact x(c);
+    const ExactImpact x = exact_impact(c);
     if (flag(c, "glued")) {
       if (x.rest() >= 0) return Json{{"class", "c"}, {"t", "inf"}};
       return Json{{"class", "c"}, {"t", nearest_text([&x](unsigned bits) {
@@ -279,11 +245,11 @@ void add_duration(hard_cases::Runner& runner) {
     });
   };
   method("π/ω₀",
-         [](const Case& c) { return kTurn * std::sqrt(c.number("mass") / c.number("stiffness")); });
+         [](const Case& c) { return turn * std::sqrt(c.number("mass") / c.number("stiffness")); });
   method("π/√(k/m − c²/4m²)", [](const Case& c) {
     const double half = c.number("damping") / (2 * c.number("mass"));
     const double square = c.number("stiffness") / c.number("mass") - half * half;
-    return square > 0 ? kTurn / std::sqrt(square) : std::numeric_limits<double>::infinity();
+    return square > 0 ? turn / std::sqrt(square) : std::numeric_limits<double>::infinity();
   });
   method("book", [](const Case& c) {
     return contact::spring_impact(spring(c), c.number("mass"), 1.0, rule(c)).duration;
@@ -356,5 +322,6 @@ int main(int argc, char** argv) {
   add_duration(runner);
   add_touch(runner);
   add_jump(runner);
+  hard_contact::add(runner);
   return runner.run(argc, argv);
 }
