@@ -13,6 +13,8 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
+namespace penalty_step_test {
+
 using contact::ContactRelease;
 using contact::PenaltyScheme;
 using contact::PenaltyState;
@@ -385,3 +387,5 @@ TEST_CASE("a body at rest on a spring stays at its equilibrium, exactly") {
     }
   }
 }
+
+}  // namespace penalty_step_test

@@ -13,6 +13,8 @@
 #include "support/refusal.hpp"
 #include "support/rounding.hpp"
 
+namespace spring_damper_test {
+
 using contact::ContactRelease;
 using contact::DampingRegime;
 using contact::SpringDamper;
@@ -155,3 +157,5 @@ TEST_CASE("an invalid spring or damper is refused, with its value") {
   }
   CHECK(refusal([] { contact::spring_damper(1e-300, 0.0); }).empty());
 }
+
+}  // namespace spring_damper_test

@@ -17,6 +17,8 @@
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
 
+namespace spring_impact_test {
+
 using contact::ContactRelease;
 using contact::SpringDamper;
 using generators::Random;
@@ -427,3 +429,5 @@ TEST_CASE("a stiff trampoline is a floor, and an invalid one is refused") {
   CHECK(!refusal([] { contact::trampoline(1.0, 1.0, 0.0, 1.0); }).empty());
   CHECK(refusal([] { contact::trampoline(1.0, 1.0, 1.0, -1.0); }).find("height = -1") == 0);
 }
+
+}  // namespace spring_impact_test
