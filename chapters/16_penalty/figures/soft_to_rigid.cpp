@@ -6,9 +6,9 @@
 #include <cmath>
 #include <contact/figure.hpp>
 #include <contact/penalty_force.hpp>
-#include <contact/sine_cosine.hpp>
-#include <contact/spring_damper.hpp>
+#include <contact/soft_to_rigid.hpp>
 #include <contact/spring_impact.hpp>
+#include <contact/squash.hpp>
 #include <cstddef>
 #include <limits>
 
@@ -44,12 +44,13 @@ struct Output {
   // At the time of the drawing.
   double penetration, approach;    // m, m/s
   double half_width, half_height;  // of the squashed ball, m
-  double bottom;                   // height of its lowest point, m
   double force_now;                // by the chosen rule, N
   double velocity_now;             // upwards, m/s
   // The same as the ball of a reader's function, on the half-space z ≤ 0.
   Vector centre, ball_velocity;
-  double ball_radius, touches, push;  // the force of the rule that never pulls, N
+  double ball_radius, touches;
+  double push;         // the force of the rule that never pulls, N; positive upwards
+  Vector push_vector;  // the same, computed from the ball
   // Goals of questions.
   double pulled;       // a contact that may pull pulls at the time of the drawing
   double hard_bounce;  // a contact of less than 0.05 s that keeps at least 80 % of the speed
@@ -57,65 +58,26 @@ struct Output {
 
 namespace {
 
-struct Motion {
-  double penetration, approach;
-};
-
-// [motion]
-/// Penetration and speed of approach a time t after the first touch, as long as spring and damper
-/// stay attached: d = v t e^(−ζ ω t) S and ḋ = v e^(−ζ ω t) (C − ζ ω t S), where C and S are cos y
-/// and sin y / y of y = √(1 − ζ²) ω t, which continue through ζ = 1 as cosh and sinh.
-Motion attached(double ratio, double rate, double t) {
-  const double square = (1 - ratio) * (1 + ratio) * rate * t * rate * t;  // y²
-  const double faded = ratio * rate * t;
-  double cosine = 0, share = 0;  // with the factor e^(−ζ ω t)
-  if (std::abs(square) < 0.01) {
-    const double decay = contact::detail::decay(faded);
-    cosine = decay * (1 - square / 2 * (1 - square / 12 * (1 - square / 30)));
-    share = decay * (1 - square / 6 * (1 - square / 20 * (1 - square / 42)));
-  } else if (square > 0) {
-    const double decay = contact::detail::decay(faded);
-    const auto turn = contact::sine_cosine(std::sqrt(square));
-    cosine = decay * turn.cosine;
-    share = decay * turn.sine / std::sqrt(square);
-  } else {
-    const double y = std::sqrt(-square);
-    const double slow = contact::detail::decay(faded - y), fast = contact::detail::decay(faded + y);
-    cosine = (slow + fast) / 2;
-    share = (slow - fast) / (2 * y);
-  }
-  return {speed * t * share, speed * (cosine - faded * share)};
-}
-// [/motion]
+using Spring = contact::SpringDamper<double>;
 
 /// 100^x for x from 0 to 1, with the same bits everywhere.
 double hundred_to(double x) { return 1 / contact::detail::decay(4.605170185988092 * x); }
 
-/// The curves from one time to another; the force of a contact that may pull.
-void sample(const contact::SpringDamper<double>& spring, double ratio, double from, double to,
-            std::array<double, samples>& moment, std::array<double, samples>& force,
-            std::array<double, samples>& velocity) {
-  const double rate = contact::natural_frequency(spring, mass);
+using Samples = std::array<double, samples>;
+
+// [curves]
+/// The curves from one time to another, of a mass that stays attached: its force may be a pull.
+void sample(const Spring& spring, double from, double to, Samples& moment, Samples& force,
+            Samples& velocity) {
   for (std::size_t i = 0; i < samples; ++i) {
     moment[i] = from + (to - from) * double(i) / double(samples - 1);
-    const Motion m = attached(ratio, rate, moment[i]);
-    force[i] = spring.stiffness * m.penetration + spring.damping * m.approach;
-    velocity[i] = -m.approach;
+    const contact::PenaltyState<double> start{0, speed};
+    const auto state = contact::damped_motion<double>(start, spring, mass, 0, moment[i]);
+    force[i] = spring.stiffness * state.penetration + spring.damping * state.approach;
+    velocity[i] = -state.approach;
   }
 }
-
-/// A ball of the same area as a disc that is lower by the penetration: a drawing, nothing computed.
-void squash(Output& out) {
-  out.half_height = radius - std::max(0.0, out.penetration) / 2;
-  out.half_width = radius * radius / out.half_height;
-  out.bottom = std::max(0.0, -out.penetration);
-}
-
-void as_ball(Output& out) {
-  out.centre = {0, 0, radius - out.penetration};
-  out.ball_velocity = {0, 0, out.velocity_now};
-  out.ball_radius = radius;
-}
+// [/curves]
 
 void rigidly(const Input& in, Output& out) {
   out.rigid = 1;
@@ -128,46 +90,44 @@ void rigidly(const Input& in, Output& out) {
 void softly(const Input& in, ContactRelease rule, Output& out) {
   out.stiffness = softest * hundred_to(in.hardness);
   out.damping = 2 * in.ratio * std::sqrt(out.stiffness) * std::sqrt(mass);
-  const contact::SpringDamper<double> spring{out.stiffness, out.damping};
-  const double rate = contact::natural_frequency(spring, mass);
+  const Spring spring{out.stiffness, out.damping};
   const auto impact = contact::spring_impact(spring, mass, speed, rule);
   out.duration = impact.duration;
   out.max_depth = impact.max_depth;
   out.max_force = impact.max_force;
   out.left_overlap = impact.left_overlap;
 
-  const auto pushing = contact::spring_impact(spring, mass, speed, ContactRelease::at_zero_force);
-  const auto whole =
-      contact::spring_impact(spring, mass, speed, ContactRelease::at_zero_penetration);
-  const double let_go = std::min(pushing.duration, last_moment);
-  const double apart = std::min(whole.duration, last_moment);
-  sample(spring, in.ratio, 0, let_go, out.moment, out.force, out.velocity);
+  const auto duration = [&spring](ContactRelease end) {
+    return std::min(contact::spring_impact(spring, mass, speed, end).duration, last_moment);
+  };
+  const double let_go = duration(ContactRelease::at_zero_force);
+  const double apart = duration(ContactRelease::at_zero_penetration);
+  sample(spring, 0, let_go, out.moment, out.force, out.velocity);
   out.pulls = in.ratio > 0 && apart > let_go ? 1 : 0;
-  sample(spring, in.ratio, let_go, apart, out.pull_moment, out.pull_force, out.pull_velocity);
+  sample(spring, let_go, apart, out.pull_moment, out.pull_force, out.pull_velocity);
 
-  Motion now{speed * in.time, speed};
-  if (in.time > impact.duration) {
-    const double left = out.restitution * speed;
-    now = {impact.left_overlap - left * (in.time - impact.duration), -left};
-  } else if (in.time > 0) {
-    now = attached(in.ratio, rate, in.time);
-  }
-  out.penetration = now.penetration;
-  out.approach = now.approach;
-  out.velocity_now = -now.approach;
-  as_ball(out);
-  // In the plane's frame, from the numbers that a reader's function gets.
+  contact::ImpactMoment<double> now{{speed * in.time, speed}};
+  if (in.time >= 0) now = contact::impact_at(spring, mass, speed, in.time, rule);
+  out.penetration = now.state.penetration;
+  out.approach = now.state.approach;
+  out.velocity_now = -now.state.approach;
+  out.force_now = now.force;
+  out.pulled = now.force < 0 ? 1 : 0;
+}
+
+/// The ball of the drawing as a ball in space, and the force on it that never pulls.
+void as_ball(Output& out) {
+  out.centre = {0, 0, radius - out.penetration};
+  out.ball_velocity = {0, 0, out.velocity_now};
+  out.ball_radius = radius;
+  if (out.rigid == 1) return;
   const contact::PenaltyBall<double> ball{{out.centre, radius}, out.ball_velocity};
   const contact::Plane<double> ground{Vector(0, 0, 1), 0};
-  const auto force = contact::half_space_force(ball, ground, spring);
-  out.touches = force.touching ? 1 : 0;
-  out.push = force.force.z();
-  const bool over = in.time > impact.duration;
-  out.force_now = over ? 0 : contact::half_space_force(ball, ground, spring, rule).force.z();
-  const double unclamped =
-      contact::half_space_force(ball, ground, spring, ContactRelease::at_zero_penetration)
-          .force.z();
-  out.pulled = rule == ContactRelease::at_zero_penetration && unclamped < 0 ? 1 : 0;
+  const Spring spring{out.stiffness, out.damping};
+  const auto contact = contact::half_space_force(ball, ground, spring);
+  out.touches = contact.touching ? 1 : 0;
+  out.push_vector = contact.force;
+  out.push = contact::contact_force(spring, out.penetration, out.approach);
 }
 
 }  // namespace
@@ -184,15 +144,17 @@ Output compute(const Input& in) {
   out.at_zero_force = contact::restitution_of_damping(in.ratio, ContactRelease::at_zero_force);
   out.at_zero_penetration =
       contact::restitution_of_damping(in.ratio, ContactRelease::at_zero_penetration);
-  out.restitution =
-      rule == ContactRelease::at_zero_force ? out.at_zero_force : out.at_zero_penetration;
+  const bool by_force = rule == ContactRelease::at_zero_force;
+  out.restitution = by_force ? out.at_zero_force : out.at_zero_penetration;
   out.impulse = mass * (1 + out.restitution) * speed;
   if (in.hardness == 1) {
     rigidly(in, out);
   } else {
     softly(in, rule, out);
   }
-  squash(out);
+  const auto shape = contact::squash(radius, out.penetration, contact::SquashKeeps::area);
+  out.half_width = shape.across;
+  out.half_height = shape.along;
   as_ball(out);
   out.hard_bounce = out.duration <= 0.05 && out.restitution >= 0.8 && out.rigid == 0 ? 1 : 0;
   return out;
@@ -202,5 +164,5 @@ FIGURE(Input, FIELDS(hardness, ratio, time, release), Output,
        FIELDS(problem, rigid, stiffness, damping, at_zero_force, at_zero_penetration, restitution,
               impulse, duration, max_depth, max_force, left_overlap, moment, force, velocity, pulls,
               pull_moment, pull_force, pull_velocity, penetration, approach, half_width,
-              half_height, bottom, force_now, velocity_now, centre, ball_velocity, ball_radius,
-              touches, push, pulled, hard_bounce))
+              half_height, force_now, velocity_now, centre, ball_velocity, ball_radius, touches,
+              push, push_vector, pulled, hard_bounce))

@@ -8,6 +8,7 @@ import {
   type Scene,
   type Value,
   type Vec2,
+  type Vec3,
 } from "@contact/figure";
 
 interface Input {
@@ -39,8 +40,8 @@ interface Output {
   penetration: number;
   half_width: number;
   half_height: number;
-  bottom: number;
   force_now: number;
+  centre: Vec3;
   velocity_now: number;
 }
 
@@ -48,13 +49,13 @@ const PENETRATION = 1;
 const SPEED = 2;
 const [FIRST, LAST] = [-0.1, 0.5];
 /** The ball: where it is drawn, and world units for a metre. */
-const BALL = { x: 2, ground: 3.5, metre: 2.3 } as const;
+const BALL = { x: 1.75, ground: 3.6, metre: 2.3 } as const;
 /** The scale from soft to rigid. */
-const SCALE = { left: 0.45, right: 3.55, y: 1.35 } as const;
+const SCALE = { left: 0.8, right: 9.7, y: 0.95 } as const;
 /** Both diagrams: where the first and the last moment are, and the heights of 0. */
-const [LEFT, RIGHT] = [5.1, 11.8];
-const FORCE = { zero: 5, unit: 3.6 / 210, top: 8.75, low: 4.25 } as const;
-const VELOCITY = { zero: 1.95, unit: 1.5 / SPEED } as const;
+const [LEFT, RIGHT] = [4.4, 10.3];
+const FORCE = { zero: 5.9, unit: 3.3 / 210, top: 9.3, low: 5.2 } as const;
+const VELOCITY = { zero: 3.3, unit: 1.25 / SPEED } as const;
 
 const across = (time: number): number => LEFT + ((RIGHT - LEFT) * (time - FIRST)) / (LAST - FIRST);
 const ofForce = (force: number): number =>
@@ -72,14 +73,14 @@ function ball(scene: Scene, output: Output): void {
   scene.face(
     [
       [0.1, ground],
-      [3.9, ground],
-      [3.9, ground - 0.35],
+      [3.4, ground],
+      [3.4, ground - 0.35],
       [0.1, ground - 0.35],
     ],
     { role: "surface", fill: 0.25, outline: false },
   );
-  scene.line([0.1, ground], [3.9, ground], { role: "surface", width: 2.5 });
-  const middle = ground + metre * (output.bottom + output.half_height);
+  scene.line([0.1, ground], [3.4, ground], { role: "surface", width: 2.5 });
+  const middle = ground + metre * output.centre[2];
   const outline = Array.from({ length: 64 }, (_, i): Vec2 => {
     const angle = (i * Math.PI) / 32;
     return [
@@ -215,8 +216,8 @@ function rigid(scene: Scene, output: Output): void {
 
 export default defineFigure<Input, Output>({
   title: "Soft, harder, rigid: one impulse",
-  view: { kind: "2d", x: [0, 12], y: [0, 9] },
-  aspect: 1.33,
+  view: { kind: "2d", x: [0, 10.6], y: [0, 9.7] },
+  aspect: 1.09,
   initial: { hardness: 0, ratio: 0, time: 0.1, release: 0 },
   handles: [
     {
@@ -270,7 +271,7 @@ export default defineFigure<Input, Output>({
     ball(scene, output);
     if (output.rigid) rigid(scene, output);
     else soft(scene, input, output);
-    scene.label([across(0.22), ofForce(200)], `area ${pretty(output.impulse, 3)} N·s`, {
+    scene.label([across(0.2), ofForce(165)], `area ${pretty(output.impulse, 3)} N·s`, {
       role: "hit",
     });
   },
@@ -329,6 +330,6 @@ export default defineFigure<Input, Output>({
     const lasts = Number.isFinite(output.duration)
       ? `The contact lasts ${pretty(output.duration, 3)} s, and its force has the area ${impulse} N·s, whatever the stiffness.`
       : "The surfaces do not separate: the damper is too strong, and the contact lasts for ever.";
-    return `${lasts} The ball leaves with ${e} times its speed; it is drawn squashed by its penetration, which the model does not compute.`;
+    return `${lasts} Restitution: ${e}. The ball is drawn squashed by its penetration, which the model does not compute.`;
   },
 });

@@ -39,21 +39,25 @@ interface Output {
   ten_percent: number;
 }
 
-const SCHEMES: readonly { readonly name: string; readonly role: Role }[] = [
-  { name: "explicit Euler", role: "miss" },
-  { name: "semi-implicit Euler", role: "ray" },
-  { name: "implicit damper", role: "c" },
-  { name: "implicit Euler", role: "hit" },
+const SCHEMES: readonly { readonly name: string; readonly short: string; readonly role: Role }[] = [
+  { name: "explicit Euler", short: "explicit", role: "miss" },
+  { name: "semi-implicit Euler", short: "semi-implicit", role: "ray" },
+  { name: "implicit damper", short: "impl. damper", role: "c" },
+  { name: "implicit Euler", short: "implicit", role: "hit" },
+  { name: "velocity Verlet", short: "v. Verlet", role: "a" },
+  { name: "position Verlet", short: "p. Verlet", role: "b" },
+  { name: "Runge–Kutta (RK4)", short: "RK4", role: "ball" },
 ];
 const BOUNCES = 12;
 /** The plane of penetration and speed: where 0 is, its unit, and what it shows. */
-const PLANE = { x: 1.7, y: 5.7, unit: 1.65, d: [-0.9, 2], p: [-1.75, 1.75] } as const;
+const PLANE = { x: 1.75, y: 6.2, unit: 1.5, d: [-0.9, 1.7], p: [-1.75, 1.75] } as const;
 /** Energies: where 0 bounces and no change are, and the width of a bounce and of a power of ten. */
-const ENERGY = { x: 6.7, y: 5.7, wide: 0.3, tall: 1.2, powers: [-2, 0, 2] } as const;
+const ENERGY = { x: 5.7, y: 6.2, wide: 0.22, tall: 1.05, powers: [-2, 0, 2] } as const;
 /** The axis of the step, in ω₀ h. */
-const STEP = { x: 0.9, y: 1.2, unit: 2.6, most: 4 } as const;
-/** Names at the ends of curves are at least so far apart. */
-const APART = 0.5;
+const STEP = { x: 0.6, y: 1.7, unit: 2.5, most: 4 } as const;
+/** Names at the ends of curves are at least so far apart, and end here. */
+const APART = 0.46;
+const HIGHEST = 8.75;
 
 const between = (low: number, value: number, high: number): number =>
   Math.max(low, Math.min(high, value));
@@ -87,10 +91,9 @@ function plane(scene: Scene, { scheme }: Input, output: Output): void {
   );
   scene.line(inPlane(near, 0), inPlane(far, 0), axis);
   scene.line(inPlane(0, PLANE.p[0]), inPlane(0, PLANE.p[1]), axis);
-  scene.label(inPlane(far, PLANE.p[1]), "approach over penetration", {
+  scene.label(inPlane(near, PLANE.p[1]), "approach over penetration", {
     ...small,
-    offset: [0, -8],
-    anchor: "end",
+    offset: [0, -10],
   });
   scene.label(inPlane(1, 0), "v/ω₀", { ...small, offset: [8, 16] });
   for (const [p, text] of [
@@ -122,7 +125,7 @@ function energies(scene: Scene, { scheme }: Input, output: Output): void {
     scene.line(at, [end[0], at[1]], { role: "ghost", width: 1 });
     scene.label(at, pretty(10 ** power), { ...small, offset: [-6, 4], anchor: "end" });
   }
-  scene.label([ENERGY.x, high], "energy after each bounce", { ...small, offset: [0, -8] });
+  scene.label([ENERGY.x, high], "energy after each bounce", { ...small, offset: [-14, -12] });
   for (const bounce of [4, 8, 12])
     scene.label([ofEnergy(bounce, 1)[0], low], pretty(bounce), {
       ...small,
@@ -134,7 +137,7 @@ function energies(scene: Scene, { scheme }: Input, output: Output): void {
     { role: "ink", width: 1.4, dashed: true },
   );
   const ends: { name: string; role: Role; at: Vec2 }[] = [];
-  SCHEMES.forEach(({ name, role }, s) => {
+  SCHEMES.forEach(({ short, role }, s) => {
     const made = output.counted[s] ?? 0;
     const path = Array.from({ length: made + 1 }, (_, n) =>
       ofEnergy(n, output.energy[(BOUNCES + 1) * s + n] ?? 1),
@@ -142,17 +145,21 @@ function energies(scene: Scene, { scheme }: Input, output: Output): void {
     scene.path(path, { role, width: s === scheme ? 3 : 1.3 });
     if (s === scheme) for (const at of path) scene.dot(at, role, 3);
     const at = path.at(-1);
-    if (at) ends.push({ name, role, at });
+    if (at) ends.push({ name: short, role, at });
   });
-  let free = Number.NEGATIVE_INFINITY;
-  for (const { name, role, at } of ends.sort((one, other) => one.at[1] - other.at[1])) {
-    free = Math.max(at[1], free + APART);
-    scene.label([Math.max(at[0], ENERGY.x + 1.5), free], name, {
+  // From the lowest up, then from the highest possible down.
+  const sorted = ends.sort((one, other) => one.at[1] - other.at[1]);
+  const heights: number[] = [];
+  for (const { at } of sorted) heights.push(Math.max(at[1], (heights.at(-1) ?? -99) + APART));
+  for (let i = heights.length - 1; i >= 0; i--)
+    heights[i] = Math.min(heights[i] ?? 0, (heights[i + 1] ?? HIGHEST + APART) - APART);
+  sorted.forEach(({ name, role, at }, i) => {
+    scene.label([Math.max(at[0], ENERGY.x + 1.2), heights[i] ?? at[1]], name, {
       role,
       offset: [8, 4],
       size: "small",
     });
-  }
+  });
 }
 
 function mark(scene: Scene, angle: number, text: string, role: Role, below = false): void {
@@ -173,7 +180,12 @@ function steps(scene: Scene, { step }: Input, output: Output): void {
   if (ten_percent > 0) mark(scene, rate * ten_percent, "energy within 10 %", "hit", true);
   for (const angle of [0, 1, 2, 3, 4])
     scene.label(ofStep(angle), pretty(angle), { ...small, offset: [0, 22], anchor: "middle" });
-  scene.label(ofStep(STEP.most), "ω₀ h", { role: "ink", offset: [14, 5], size: "small" });
+  scene.label(ofStep(STEP.most), "ω₀ h", {
+    role: "ink",
+    offset: [4, -12],
+    anchor: "middle",
+    size: "small",
+  });
   scene.line(ofStep(rate * step), [ofStep(rate * step)[0], STEP.y + 0.35], {
     role: "muted",
     width: 1,
@@ -184,8 +196,8 @@ const behaviours = ["decays", "stays bounded", "grows"] as const;
 
 export default defineFigure<Input, Output>({
   title: "The length of the step, and the energy of a bounce",
-  view: { kind: "2d", x: [0, 13.6], y: [0.2, 9.4] },
-  aspect: 1.35,
+  view: { kind: "2d", x: [0, 11.5], y: [0.2, 10] },
+  aspect: 1.17,
   initial: { step: 0.02, stiffness: 1000, ratio: 0, scheme: 1, phase: 0.5 },
   handles: [
     {
