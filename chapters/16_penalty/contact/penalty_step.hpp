@@ -204,8 +204,10 @@ StabilityTerms<S> stability_terms(PenaltyScheme scheme, const S& m, const S& a, 
       return {b, S(4) * m + twice - a, a};
     case PenaltyScheme::implicit_euler:
       return {a + b, S(4) * m + twice + a, a};
-    case PenaltyScheme::velocity_verlet:
-      return {b * (S(4) * m - b), S(16) * m * m - S(8) * b * m + twice * b - a * (S(4) * m - b), a};
+    case PenaltyScheme::velocity_verlet: {
+      const S rest = S(4) * m - b;
+      return {b * rest, S(16) * m * m - S(8) * b * m + twice * b - a * rest, a * rest};
+    }
     case PenaltyScheme::runge_kutta_4:
       break;
   }
@@ -218,8 +220,7 @@ StabilityTerms<S> stability_terms(PenaltyScheme scheme, const S& m, const S& a, 
 /// The stability of the steps of spring_step(), for every start. Exact for the stored numbers.
 ///
 /// With a = h² k / m and b = h c / m a step is a matrix with trace T and determinant D. The motion
-/// decays if D < 1 and |T| < 1 + D (T < 1 + D holds by itself except for Runge–Kutta, since
-/// a > 0):
+/// decays if D < 1 and |T| < 1 + D:
 ///
 /// | | decays if |
 /// |---|---|
@@ -230,10 +231,12 @@ StabilityTerms<S> stability_terms(PenaltyScheme scheme, const S& m, const S& a, 
 /// | velocity Verlet | 0 < b < 4 and a (4 − b) < 16 − 8 b + 2 b² |
 /// | Runge–Kutta | the polynomial R of the step has \|R(z)\| < 1 at both roots of z² + b z + a |
 ///
-/// If one of the inequalities is an equality, the motion stays bounded. If both D = 1 and
-/// −T = 1 + D, −1 is a double eigenvalue, and the motion grows linearly with the number of steps.
-/// Runge–Kutta never meets T = ±(1 + D): R − 1 = z (z³ + 4 z² + 12 z + 24) / 24 and R + 1 have no
-/// root of degree 1 or 2 over the fractions but z = 0.
+/// If D = 1 or |T| = 1 + D, an eigenvalue is on the unit circle, and the motion stays bounded. If
+/// both hold, 1 or −1 is a double eigenvalue of a matrix that is not a multiple of the identity,
+/// and the motion grows linearly with the number of steps: explicit Euler with a = b = 4, the
+/// schemes with a = 4 and b = 0, velocity Verlet with b = 4. Runge–Kutta never has |T| = 1 + D: no
+/// root of R = 1 or R = −1 but 0 is a root of a quadratic with fractions, because
+/// z³ + 4 z² + 12 z + 24 and z⁴ + 4 z³ + 12 z² + 24 z + 48 do not factor over the fractions.
 /// @param mass kg, greater than 0
 /// @param h s, greater than 0
 template <Ring S>
@@ -249,9 +252,9 @@ StepBehaviour step_behaviour(PenaltyScheme scheme, const SpringDamper<S>& spring
     return StepBehaviour::grows;
   }
   const bool on_circle = terms.below_one == zero;
-  const bool at_minus_one = terms.above_minus_one == zero;
-  if (on_circle && at_minus_one) return StepBehaviour::grows;
-  return on_circle || at_minus_one ? StepBehaviour::bounded : StepBehaviour::decays;
+  const bool at_one = terms.above_minus_one == zero || terms.one_minus_trace == zero;
+  if (on_circle && at_one) return StepBehaviour::grows;
+  return on_circle || at_one ? StepBehaviour::bounded : StepBehaviour::decays;
 }
 // [/step-behaviour]
 
