@@ -95,8 +95,9 @@ StackState<S> stack_at_rest(const SpringStack<S>& stack, const S& gravity) {
 ///
 /// The ω² are the eigenvalues of K x = ω² M x, with K tridiagonal: k_i + k_(i+1) on the diagonal,
 /// −k_(i+1) beside it. The leading minors of K − λ M are a Sturm sequence: their number of changes
-/// of sign, where a minor of 0 counts as one with the sign opposite to the one before, is the
-/// number of eigenvalues below λ.
+/// of sign is the number of eigenvalues below λ. A minor of 0 gets the sign of the one before: the
+/// next one has the opposite sign, so inside the sequence any sign would do, and at its end λ is an
+/// eigenvalue itself and does not count.
 /// @param square λ, 1/s², finite
 template <Ring S>
 std::size_t frequencies_below(const SpringStack<S>& stack, const S& square) {
@@ -112,7 +113,7 @@ std::size_t frequencies_below(const SpringStack<S>& stack, const S& square) {
     const T above = i + 1 < stack.size() ? detail::unrounded(stack.stiffness[i + 1]) : zero;
     const T diagonal = k + above - detail::unrounded(square) * detail::unrounded(stack.masses[i]);
     const T next = diagonal * minor - below * below * before;
-    const bool sign = next == zero ? !positive : next > zero;
+    const bool sign = next == zero ? positive : next > zero;
     changes += sign != positive ? 1 : 0;
     positive = sign;
     before = minor;
@@ -123,12 +124,11 @@ std::size_t frequencies_below(const SpringStack<S>& stack, const S& square) {
 }
 // [/frequencies-below]
 
-/// Two neighbouring numbers of the type with a square of a natural frequency from the first, not
-/// included, to the second.
+/// Two neighbouring numbers of the type with a square of a natural frequency between them.
 template <std::floating_point S>
 struct FrequencyBounds {
-  S below = S(0);     ///< 1/s²; no more than the square
-  S at_least = S(0);  ///< 1/s²; greater than the square, or equal to it
+  S below = S(0);  ///< 1/s²; less than the square, or equal to it
+  S above = S(0);  ///< 1/s²; greater than the square
 };
 
 // [frequency-bounds]
@@ -138,8 +138,9 @@ struct FrequencyBounds {
 /// All squares are at most twice the largest (k_i + k_(i+1)) / m_i: a sum of a row over its mass
 /// bounds them (Gershgorin).
 /// @param j 0 for the lowest, n − 1 for the highest
-/// @return square in [below, at_least); a number n times as long as the input decides each of some
-/// 60 steps, so keep n below 100. `below` is 0 if the square is below the smallest positive number
+/// @return the square is in [below, above); a number n times as long as the input decides each of
+/// some 60 steps, so keep n below 100. `below` is 0 if the square is below the smallest positive
+/// number
 /// @throws std::invalid_argument if there are not so many, or the bound above overflows
 template <std::floating_point S>
 FrequencyBounds<S> frequency_bounds(const SpringStack<S>& stack, std::size_t j) {
@@ -178,7 +179,7 @@ FrequencyBounds<S> frequency_bounds(const SpringStack<S>& stack, std::size_t j) 
 /// @throws std::invalid_argument as frequency_bounds()
 template <std::floating_point S>
 S stack_step_limit(const SpringStack<S>& stack) {
-  const S square = frequency_bounds(stack, stack.size() - 1).at_least;
+  const S square = frequency_bounds(stack, stack.size() - 1).above;
   return S(2) / std::sqrt(square) * (S(1) - S(2) * std::numeric_limits<S>::epsilon());
 }
 // [/stack-step-limit]
