@@ -16,6 +16,7 @@
 #include <limits>
 #include <string>
 
+#include "hard_compliant.hpp"
 #include "hard_contact.hpp"
 
 using contact::PenaltyScheme;
@@ -83,7 +84,10 @@ void add_steps(hard_cases::Runner& runner) {
     const double a = c.number("step") * c.number("step") * c.number("stiffness") / c.number("mass");
     return std::string(a < 4 ? "decays" : "grows");
   });
-  method("a and b rounded", [](const Case& c) {
+  const auto of_one_force = [](const Case& c) {
+    return scheme(c) <= PenaltyScheme::implicit_euler;
+  };
+  const auto rounded = [](const Case& c) {
     const double h = c.number("step");
     const double a = h * h * c.number("stiffness") / c.number("mass");
     const double b = h * c.number("damping") / c.number("mass");
@@ -100,7 +104,11 @@ void add_steps(hard_cases::Runner& runner) {
     }
     if (p < 0 || r < 0 || (p == 0 && r == 0)) return std::string("grows");
     return std::string(p > 0 && r > 0 ? "decays" : "bounded");
-  });
+  };
+  runner.method("steps", "a and b rounded", of_one_force,
+                [rounded](const Case& c, const Json& answer) {
+                  return rounded(c) == answer.at("steps").get<std::string>();
+                });
   method("spectral radius, rounded", [](const Case& c) {
     const auto first = contact::spring_step<double>(scheme(c), {1, 0}, spring(c), c.number("mass"),
                                                     c.number("step"), 0);
@@ -323,5 +331,6 @@ int main(int argc, char** argv) {
   add_touch(runner);
   add_jump(runner);
   hard_contact::add(runner);
+  hard_compliant::add(runner);
   return runner.run(argc, argv);
 }

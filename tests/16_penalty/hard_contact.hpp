@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <contact/bounce_energy.hpp>
 #include <contact/collision_1d.hpp>
 #include <contact/penalty_force.hpp>
 #include <contact/penalty_step.hpp>
@@ -431,7 +432,7 @@ inline void add_energy(hard_cases::Runner& runner) {
       },
       [](const Case& c, const Json& answer) {
         const auto bounds =
-            contact::stepped_energy_factor(spring(c), c.number("mass"), c.number("step"));
+            contact::bounce_energy_factor(spring(c), c.number("mass"), c.number("step"));
         const double right = hard_cases::unhex(answer, "factor");
         return bounds.min * (1 - 1e-12) <= right && right <= bounds.max * (1 + 1e-12);
       });
