@@ -36,19 +36,20 @@ inline double root_of(double x, int n) {
   }
 }
 
-/// (factor m v² / k)^(2/5), without overflow and underflow of the quotient; relative error at most
+/// (factor m v w / k)^(2/5), without overflow and underflow of the quotient; relative error at most
 /// 10 u.
-/// @param factor, m, v, k greater than 0, finite
-inline double depth_by_energy(double factor, double m, double v, double k) {
+/// @param factor from 1/8 to 8
+/// @param m, v, w, k greater than 0, finite
+inline double depth_by_energy(double factor, double m, double v, double w, double k) {
   int of_m = 0;
   int of_v = 0;
+  int of_w = 0;
   int of_k = 0;
-  const double a = std::frexp(m, &of_m);
-  const double b = std::frexp(v, &of_v);
-  const double c = std::frexp(k, &of_k);
-  const int power = of_m + 2 * of_v - of_k;
+  const double above = std::frexp(m, &of_m) * std::frexp(v, &of_v) * std::frexp(w, &of_w);
+  const double below = std::frexp(k, &of_k);
+  const int power = of_m + of_v + of_w - of_k;
   const int q = (power >= 0 ? power : power - 4) / 5;
-  const double root = root_of(std::ldexp(factor * a * b * b / c, power - 5 * q), 5);
+  const double root = root_of(std::ldexp(factor * above / below, power - 5 * q), 5);
   return std::ldexp(root * root, 2 * q);
 }
 
@@ -229,7 +230,8 @@ HertzImpact<S> hertz_impact(const HertzContact<S>& contact, const S& mass, const
   const auto m = static_cast<double>(mass);
   const auto v = static_cast<double>(speed);
   if (!(v > 0)) return {S(0), std::numeric_limits<S>::infinity(), S(0)};
-  const double depth = detail::depth_by_energy(1.25, m, v, static_cast<double>(contact.stiffness));
+  const double depth =
+      detail::depth_by_energy(1.25, m, v, v, static_cast<double>(contact.stiffness));
   return {S(depth), S(hertz_duration_factor() * (depth / v)), S(1.25 * m * v * (v / depth))};
 }
 // [/hertz-impact]

@@ -99,6 +99,15 @@ inline double compression_share(double p) {
   return (1 - 2 * z / (2 + p) * artanh_remainder(z)) / (2 + p);
 }
 
+/// (p − ln(1 + p)) / (λ² v) with p = λ v: v / 2 without dissipation, at most 1 / λ. Relative error
+/// at most 16 u, also where λ v overflows.
+inline double stopping_speed(double dissipation, double v) {
+  const double p = dissipation * v;
+  if (!(p > 1)) return v * compression_share(p);
+  if (std::isinf(p)) return 1 / dissipation;
+  return (1 - log_of_inverse(1 / (1 + p)) / p) / dissipation;
+}
+
 /// (−q − ln(1 − q)) / q², from 1/2 at q = 0; for q from 0 to 1/2. Relative error at most 8 u.
 inline double expansion_share(double q) {
   const double z = q / (2 - q);
@@ -122,9 +131,9 @@ inline double expansion_share(double q) {
 /// Journal of Applied Mechanics 42 (1975)
 template <std::floating_point S>
 S hunt_crossley_restitution(const HuntCrossley<S>& contact, const S& speed) {
-  const double p =
-      std::min(static_cast<double>(contact.dissipation) * static_cast<double>(speed), 1e300);
+  const double p = static_cast<double>(contact.dissipation) * static_cast<double>(speed);
   if (!(p > 0)) return S(1);
+  if (std::isinf(p)) return S(1 / static_cast<double>(contact.dissipation) / double(speed));
   const double share = detail::compression_share(p);
   if (p <= 1 && p * p * share <= 0.19) {  // below ln 2 − 1/2: q is below 1/2
     double e = std::min(1.0, 0.5 / p);
@@ -148,21 +157,18 @@ S hunt_crossley_restitution(const HuntCrossley<S>& contact, const S& speed) {
 /// m (p − ln(1 + p)) / λ², with p = λ v.
 /// @param mass kg, greater than 0
 /// @param speed v, m/s, 0 or more, finite
-/// @return m; relative error at most 40 u of double plus the rounding to S; for n = 1 without
-/// overflow and underflow of m / κ
+/// @return m; relative error at most 40 u of double plus the rounding to S
 template <std::floating_point S>
 S hunt_crossley_depth(const HuntCrossley<S>& contact, const S& mass, const S& speed) {
   const auto m = static_cast<double>(mass);
   const auto v = static_cast<double>(speed);
   const auto k = static_cast<double>(contact.stiffness);
   if (!(v > 0)) return S(0);
-  const double p = std::min(static_cast<double>(contact.dissipation) * v, 1e300);
-  const double share = detail::compression_share(p);
-  if (contact.exponent == ContactExponent::linear) return S(v * std::sqrt(2 * share * (m / k)));
-  // A power of two keeps the factor near 1.
-  int power = 0;
-  const double factor = std::frexp(share, &power);
-  return S(detail::depth_by_energy(2.5 * factor, m, v, std::ldexp(k, -power)));
+  const double w = detail::stopping_speed(static_cast<double>(contact.dissipation), v);
+  if (contact.exponent == ContactExponent::linear) {
+    return S(std::sqrt(2.0) * std::sqrt(v) * std::sqrt(w) * (std::sqrt(m) / std::sqrt(k)));
+  }
+  return S(detail::depth_by_energy(2.5, m, v, w, k));
 }
 // [/hunt-crossley-depth]
 

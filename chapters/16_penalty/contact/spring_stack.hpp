@@ -174,7 +174,7 @@ FrequencyBounds<S> frequency_bounds(const SpringStack<S>& stack, std::size_t j) 
 /// shortest step.
 ///
 /// A stack needs shorter steps than one of its bodies alone. With n equal bodies
-/// ω = 2 √(k / m) cos(π / (4 n + 2)), so the limit tends to half of 2 √(m / k).
+/// ω = 2 √(k / m) cos(π / (2 n + 1)), so the limit tends to half of 2 √(m / k).
 /// @return s, below the limit by at most 8 u of itself
 /// @throws std::invalid_argument as frequency_bounds()
 template <std::floating_point S>
