@@ -62,12 +62,12 @@ struct Setting {
 /// The ball in steps of one scheme, from the drop until it moves down again after its contact; 0 if
 /// it is still in contact after ten times as long as the fall takes.
 inline Answer in_steps(const Input& input, const Setting& setting) {
-  const Spring& contact = input.springs[setting.depth];
+  const Spring& spring = input.springs[setting.depth];
   const auto most_steps = static_cast<int>(10 * input.speed() / input.gravity / setting.step);
   contact::PenaltyState<double> state{-input.height, 0};
   bool rises = false;
   for (int i = 0; i < most_steps; ++i) {
-    state = contact::penalty_step(setting.scheme, state, contact, input.mass, setting.step,
+    state = contact::penalty_step(setting.scheme, state, spring, input.mass, setting.step,
                                   input.gravity);
     if (rises && state.approach >= 0) break;
     rises = state.approach < 0;
@@ -134,10 +134,10 @@ inline ladder::Example shown(const Input& input, const Answer& got, const Answer
     return example;
   }
   constexpr double stiffness = 1000, rate = 31.622776601683793;
-  const Spring& contact = input.springs[setting->depth];
-  const double h = contact::natural_frequency(contact, input.mass) * setting->step / rate;
-  example.facts.push_back(ladder::number("k, N/m", contact.stiffness));
-  example.facts.push_back(ladder::number("c, N s/m", contact.damping));
+  const Spring& spring = input.springs[setting->depth];
+  const double h = contact::natural_frequency(spring, input.mass) * setting->step / rate;
+  example.facts.push_back(ladder::number("k, N/m", spring.stiffness));
+  example.facts.push_back(ladder::number("c, N s/m", spring.damping));
   if (h < 1e-4 || h > 0.2) {
     example.note = "In the figure these steps would be too short or too long to be seen.";
     return example;
@@ -145,7 +145,7 @@ inline ladder::Example shown(const Input& input, const Answer& got, const Answer
   example.figure = "step_and_energy";
   example.fields = {{"step", {h}},
                     {"stiffness", {stiffness}},
-                    {"ratio", {contact::damping_ratio(contact, input.mass)}},
+                    {"ratio", {contact::damping_ratio(spring, input.mass)}},
                     {"scheme", {double(static_cast<int>(setting->scheme))}},
                     {"phase", {0.5}}};
   example.note =

@@ -83,7 +83,7 @@ Stack equal_boxes(std::size_t n, double stiffness) {
 }
 
 double period(const Stack& stack, std::size_t j) {
-  return 6.283185307179586 / std::sqrt(contact::frequency_bounds(stack, j).at_least);
+  return 6.283185307179586 / std::sqrt(contact::frequency_bounds(stack, j).above);
 }
 
 }  // namespace

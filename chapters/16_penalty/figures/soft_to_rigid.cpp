@@ -124,9 +124,9 @@ void as_ball(Output& out) {
   const contact::PenaltyBall<double> ball{{out.centre, radius}, out.ball_velocity};
   const contact::Plane<double> ground{Vector(0, 0, 1), 0};
   const Spring spring{out.stiffness, out.damping};
-  const auto contact = contact::half_space_force(ball, ground, spring);
-  out.touches = contact.touching ? 1 : 0;
-  out.push_vector = contact.force;
+  const auto push = contact::half_space_force(ball, ground, spring);
+  out.touches = push.touching ? 1 : 0;
+  out.push_vector = push.force;
   out.push = contact::contact_force(spring, out.penetration, out.approach);
 }
 

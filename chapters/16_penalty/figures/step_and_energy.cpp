@@ -32,7 +32,11 @@ struct Input {
 struct Output {
   double problem;
   double mass, damping;  // kg, N·s/m
-  double rate;           // ω₀, rad/s
+  // The first state with an overlap, and the next one by semi-implicit Euler on a spring that is
+  // not left, whichever scheme is chosen.
+  double first_overlap, first_approach;
+  double next_penetration, next_approach;
+  double rate;  // ω₀, rad/s
   // Stability of the chosen scheme on a spring that it never leaves: 0 decays, 1 bounded, 2 grows;
   // the smallest step for which it grows, and whether there is one.
   double behaviour, limit, has_limit;
@@ -149,6 +153,12 @@ Output compute(const Input& in) {
   out.has_limit = std::isfinite(out.limit) ? 1 : 0;
   const auto semi = PenaltyScheme::semi_implicit_euler;
   out.semi_implicit_limit = contact::step_limit(semi, spring, mass);
+  out.first_overlap = in.phase * in.step * speed;
+  out.first_approach = speed;
+  const auto next =
+      contact::spring_step<double>(semi, {out.first_overlap, speed}, spring, mass, in.step, 0);
+  out.next_penetration = next.penetration;
+  out.next_approach = next.approach;
   run_all(spring, in, chosen, out);
   closed_form(in, out);
   const std::size_t at = static_cast<std::size_t>(chosen) * (bounces + 1);
@@ -169,6 +179,7 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(step, stiffness, ratio, scheme, phase), Output,
-       FIELDS(problem, mass, damping, rate, behaviour, limit, has_limit, semi_implicit_limit,
-              recorded, trace, trace_bounce, exact, energy, counted, kept, first_kept, steps,
-              min_kept, max_kept, ten_percent, gains, grows, damps_itself))
+       FIELDS(problem, mass, damping, first_overlap, first_approach, next_penetration,
+              next_approach, rate, behaviour, limit, has_limit, semi_implicit_limit, recorded,
+              trace, trace_bounce, exact, energy, counted, kept, first_kept, steps, min_kept,
+              max_kept, ten_percent, gains, grows, damps_itself))
