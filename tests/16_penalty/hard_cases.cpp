@@ -50,13 +50,10 @@ std::string text(StepBehaviour behaviour) {
 }
 
 /// From the roots of x² − T x + D, the characteristic polynomial of the step's matrix.
-std::string exact_steps(const Case& c) {
-  const contact::SpringDamper<Rational> s{oracle::exact(c.number("stiffness")),
-                                          oracle::exact(c.number("damping"))};
-  const Rational m = oracle::exact(c.number("mass"));
-  const Rational h = oracle::exact(c.number("step"));
-  const auto first = contact::spring_step<Rational>(scheme(c), {1, 0}, s, m, h, 0);
-  const auto second = contact::spring_step<Rational>(scheme(c), {0, 1}, s, m, h, 0);
+std::string exact_behaviour(PenaltyScheme scheme, const contact::SpringDamper<Rational>& spring,
+                            const Rational& m, const Rational& h) {
+  const auto first = contact::spring_step<Rational>(scheme, {1, 0}, spring, m, h, 0);
+  const auto second = contact::spring_step<Rational>(scheme, {0, 1}, spring, m, h, 0);
   const Rational trace = first.penetration + second.approach;
   const Rational product =
       first.penetration * second.approach - first.approach * second.penetration;
@@ -70,10 +67,37 @@ std::string exact_steps(const Case& c) {
   if (top < 0 && bottom > 0) return "decays";
   return discriminant == 0 ? "grows" : "bounded";
 }
+contact::SpringDamper<Rational> exact_spring(const Case& c) {
+  return {oracle::exact(c.number("stiffness")), oracle::exact(c.number("damping"))};
+}
+
+/// The smallest step that grows, of a scheme with several forces: found among 400 steps, then
+/// bisected to 120 bits.
+Rational first_growing_step(const Case& c) {
+  const auto grows = [&](const Rational& h) {
+    return exact_behaviour(scheme(c), exact_spring(c), oracle::exact(c.number("mass")), h) ==
+           "grows";
+  };
+  const Rational unit = oracle::exact(1 / (std::sqrt(c.number("stiffness") / c.number("mass")) +
+                                           c.number("damping") / c.number("mass")));
+  Rational low(0), high = unit / 50;
+  while (!grows(high)) {
+    low = high;
+    high += unit / 50;
+  }
+  for (int i = 0; i < 120; ++i) {
+    const Rational middle = (low + high) / 2;
+    (grows(middle) ? high : low) = middle;
+  }
+  return high;
+}
 
 void add_steps(hard_cases::Runner& runner) {
   runner.question("steps", [](const Case& c) {
-    return Json{{"class", "a"}, {"steps", exact_steps(c)}};
+    return Json{
+        {"class", "a"},
+        {"steps", exact_behaviour(scheme(c), exact_spring(c), oracle::exact(c.number("mass")),
+                                  oracle::exact(c.number("step")))}};
   });
   const auto method = [&runner](const char* name, auto behaviour) {
     runner.method("steps", name, [behaviour](const Case& c, const Json& answer) {
@@ -160,6 +184,8 @@ void add_regime(hard_cases::Runner& runner) {
 
 void add_limit(hard_cases::Runner& runner) {
   runner.question("longest step", [](const Case& c) {
+    if (scheme(c) >= PenaltyScheme::velocity_verlet)
+      return Json{{"class", "b"}, {"h", hard_cases::hex(first_growing_step(c))}};
     const Rational k = oracle::exact(c.number("stiffness"));
     const Rational d = oracle::exact(c.number("damping"));
     const Rational m = oracle::exact(c.number("mass"));
@@ -184,8 +210,8 @@ void add_limit(hard_cases::Runner& runner) {
     const double d = c.number("damping");
     const double m = c.number("mass");
     if (scheme(c) == PenaltyScheme::implicit_damper) return (d + std::sqrt(d * d + 4 * k * m)) / k;
-    if (scheme(c) == PenaltyScheme::semi_implicit_euler)
-      return (-d + std::sqrt(d * d + 4 * k * m)) / k;
+    if (scheme(c) == PenaltyScheme::runge_kutta_4) return 2 * std::sqrt(2 * m / k);
+    if (scheme(c) != PenaltyScheme::explicit_euler) return (-d + std::sqrt(d * d + 4 * k * m)) / k;
     const double rest = d * d - 4 * k * m;
     return rest > 0 ? (d - std::sqrt(rest)) / k : d / k;
   });
