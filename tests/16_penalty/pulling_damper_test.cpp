@@ -12,7 +12,6 @@ namespace {
 
 using namespace contact::testing;
 using contact::Exact;
-using exercise::Impact;
 using exercise::Moment;
 
 bool is_from(double x, double low, double high) { return x >= low && x <= high; }
@@ -35,39 +34,40 @@ bool is_weak(const Moment& at) {
 // ---------------------------------------------------------------- an impact
 
 /// The speed after a contact that ends at zero force, over the speed before.
-double share_at_zero_force(const Impact& impact) {
-  const contact::SpringDamper<double> spring{impact.stiffness, impact.damping};
-  return contact::restitution_of_damping(contact::damping_ratio(spring, impact.mass),
+double share_at_zero_force(const Moment& start) {
+  const contact::SpringDamper<double> spring{start.stiffness, start.damping};
+  return contact::restitution_of_damping(contact::damping_ratio(spring, start.mass),
                                          contact::ContactRelease::at_zero_force);
 }
 
-double share_given(const Impact& impact) { return given::rebound_speed(impact) / impact.speed; }
+double share_given(const Moment& start) { return given::rebound_speed(start) / start.approach; }
 
 std::string percent(double share) {
   return contact::text_of(100 * share, {.digits = 3}) + " % of its speed";
 }
 
-BreakIt<Impact> impacts(std::string_view question) {
-  return break_it<Impact>(question)
-      .rule("every number is finite", [](const Impact& impact) { return all_finite(impact); })
+BreakIt<Moment> impacts(std::string_view question) {
+  return break_it<Moment>(question)
+      .rule("every number is finite", [](const Moment& start) { return all_finite(start); })
       .rule("the stiffness is from 1 to 100,000 N/m",
-            [](const Impact& impact) { return is_from(impact.stiffness, 1, 1e5); })
+            [](const Moment& start) { return is_from(start.stiffness, 1, 1e5); })
       .rule("the damping is from 0 to 10,000 N·s/m",
-            [](const Impact& impact) { return is_from(impact.damping, 0, 1e4); })
+            [](const Moment& start) { return is_from(start.damping, 0, 1e4); })
       .rule("the mass is from 0.01 to 100 kg",
-            [](const Impact& impact) { return is_from(impact.mass, 0.01, 100); })
-      .rule("the speed is from 0.01 to 10 m/s",
-            [](const Impact& impact) { return is_from(impact.speed, 0.01, 10); });
+            [](const Moment& start) { return is_from(start.mass, 0.01, 100); })
+      .rule("the penetration is 0", [](const Moment& start) { return start.penetration == 0; })
+      .rule("the approach is from 0.01 to 10 m/s",
+            [](const Moment& start) { return is_from(start.approach, 0.01, 10); });
 }
 
-Judged judged(const Impact& impact, bool wrong) {
-  const double given = share_given(impact), right = share_at_zero_force(impact);
+Judged judged(const Moment& start, bool wrong) {
+  const double given = share_given(start), right = share_at_zero_force(start);
   return {wrong, given > 0 ? "the body leaves with " + percent(given) : "the body does not leave",
           "the body leaves with " + percent(right),
           "The damping ratio is " +
               contact::text_of(
                   contact::damping_ratio(
-                      contact::SpringDamper<double>{impact.stiffness, impact.damping}, impact.mass),
+                      contact::SpringDamper<double>{start.stiffness, start.damping}, start.mass),
                   {.digits = 3}) +
               "."};
 }
@@ -106,26 +106,25 @@ TEST_CASE("a weak damper pulls") {
 
 TEST_CASE("a body that is pulled rebounds too slowly") {
   impacts("Which body rebounds too slowly?")
-      .suspect_if("break-pull-takes-little",
-                  [](const Impact& impact) {
-                    return share_given(impact) > share_at_zero_force(impact) / 2;
-                  })
+      .suspect_if(
+          "break-pull-takes-little",
+          [](const Moment& start) { return share_given(start) > share_at_zero_force(start) / 2; })
       .suspect_if("break-body-hardly-rebounds",
-                  [](const Impact& impact) { return share_given(impact) < 0.05; })
-      .input("impact", [] { return exercise::rebounds_too_slowly(); })
-      .judge([](const Impact& impact) {
-        const double share = share_given(impact);
-        return judged(impact, share >= 0.05 && share <= share_at_zero_force(impact) / 2);
+                  [](const Moment& start) { return share_given(start) < 0.05; })
+      .input("start", [] { return exercise::rebounds_too_slowly(); })
+      .judge([](const Moment& start) {
+        const double share = share_given(start);
+        return judged(start, share >= 0.05 && share <= share_at_zero_force(start) / 2);
       });
 }
 
 TEST_CASE("a body that is pulled never leaves") {
   impacts("Which body never leaves?")
-      .suspect_if("break-body-leaves", [](const Impact& impact) { return share_given(impact) > 0; })
+      .suspect_if("break-body-leaves", [](const Moment& start) { return share_given(start) > 0; })
       .suspect_if("break-damper-is-too-strong",
-                  [](const Impact& impact) { return share_at_zero_force(impact) < 0.12; })
-      .input("impact", [] { return exercise::never_lets_go(); })
-      .judge([](const Impact& impact) {
-        return judged(impact, share_given(impact) == 0 && share_at_zero_force(impact) >= 0.12);
+                  [](const Moment& start) { return share_at_zero_force(start) < 0.12; })
+      .input("start", [] { return exercise::never_lets_go(); })
+      .judge([](const Moment& start) {
+        return judged(start, share_given(start) == 0 && share_at_zero_force(start) >= 0.12);
       });
 }

@@ -13,16 +13,16 @@ inline double contact_force(double penetration, double approach, double stiffnes
   return stiffness * penetration + damping * approach;
 }
 
-/// The speed with which a body leaves a surface into which it moves, in m/s, by steps of a
-/// thousandth of √(m / k). 0 if it has not left after a hundred √(m / k).
-template <class Impact>
-double rebound_speed(const Impact& impact) {
-  const double step = std::sqrt(impact.mass / impact.stiffness) / 1000;
-  double penetration = 0;
-  double approach = impact.speed;
+/// The speed with which a body leaves the surface, in m/s, by steps of a thousandth of √(m / k).
+/// 0 if it has not left after a hundred √(m / k).
+template <class Moment>
+double rebound_speed(const Moment& start) {
+  const double step = std::sqrt(start.mass / start.stiffness) / 1000;
+  double penetration = start.penetration;
+  double approach = start.approach;
   for (int k = 0; k < 100000; ++k) {
-    const double force = contact_force(penetration, approach, impact.stiffness, impact.damping);
-    approach -= step * force / impact.mass;
+    const double force = contact_force(penetration, approach, start.stiffness, start.damping);
+    approach -= step * force / start.mass;
     penetration += step * approach;
     if (penetration < 0) return -approach;
   }

@@ -7,8 +7,8 @@ namespace exercise {
 
 Moment weak_damper_pulls() { contact::todo(); }
 
-Impact rebounds_too_slowly() { contact::todo(); }
+Moment rebounds_too_slowly() { contact::todo(); }
 
-Impact never_lets_go() { contact::todo(); }
+Moment never_lets_go() { contact::todo(); }
 
 }  // namespace exercise

@@ -18,28 +18,20 @@ struct Moment {
   double approach;     ///< rate of change of the penetration, m/s; negative: separation
 };
 
-/// A body that touches the surface and moves into it.
-struct Impact {
-  double stiffness;  ///< k, N/m
-  double damping;    ///< c, N·s/m
-  double mass;       ///< m, kg
-  double speed;      ///< m/s
-};
-
 /// A moment at which given::contact_force pulls, although the damping ratio is at most 0.1 and the
 /// surfaces overlap by at least a millimetre. The stiffness is from 1 to 100,000, the mass from
 /// 0.01 to 100, the overlap at most 1 m, the speed at most 1 m/s.
 Moment weak_damper_pulls();
 
-/// An impact after which the body rebounds, by given::rebound_speed, with at least 5 % of its
-/// speed, but with at most half of the speed that it would have if the contact ended at zero force.
-/// The stiffness is from 1 to 100,000, the mass from 0.01 to 100, the damping at most 10,000, the
-/// speed from 0.01 to 10 m/s.
-Impact rebounds_too_slowly();
+/// A first touch, with a penetration of 0, after which the body leaves, by given::rebound_speed,
+/// with at least 5 % of its speed, but with at most half of the speed that it would have if the
+/// contact ended at zero force. The stiffness is from 1 to 100,000, the mass from 0.01 to 100, the
+/// damping at most 10,000, the approach from 0.01 to 10 m/s.
+Moment rebounds_too_slowly();
 
-/// An impact after which the body never leaves the surface, by given::rebound_speed, although it
-/// would leave with at least 12 % of its speed if the contact ended at zero force. The numbers are
-/// from the same ranges.
-Impact never_lets_go();
+/// A first touch, with a penetration of 0, after which the body never leaves the surface, by
+/// given::rebound_speed, although it would leave with at least 12 % of its speed if the contact
+/// ended at zero force. The numbers are from the same ranges.
+Moment never_lets_go();
 
 }  // namespace exercise

@@ -7,9 +7,9 @@ namespace exercise {
 Moment weak_damper_pulls() { return {1000, 4, 1, 0.001, -1}; }
 
 // With ζ = 0.6 the body keeps 9 % of its speed, and 25 % if the contact ends at zero force.
-Impact rebounds_too_slowly() { return {100, 12, 1, 2}; }
+Moment rebounds_too_slowly() { return {100, 12, 1, 0, 2}; }
 
 // With ζ = 1 the overlap only tends to 0. At zero force the restitution is exp(−2), 14 %.
-Impact never_lets_go() { return {100, 20, 1, 2}; }
+Moment never_lets_go() { return {100, 20, 1, 0, 2}; }
 
 }  // namespace exercise
