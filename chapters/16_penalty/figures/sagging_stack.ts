@@ -41,7 +41,7 @@ const STACK = { x: 1.5, ground: 2.6, metre: 1.32, half: 0.66 } as const;
 /** How far the highest box has sunk over time: where 0 and the last time are. */
 const CURVE = { left: 4.5, right: 10.3, zero: 9, deep: 6.9 } as const;
 /** The overlap of each contact, from the lowest to the highest. */
-const BARS = { left: 4.5, bottom: 3, high: 5.3, wide: 0.5 } as const;
+const BARS = { left: 4.5, bottom: 3.25, high: 5.5, wide: 0.5 } as const;
 /** The axis of the step, s. */
 const STEP = { left: 0.8, right: 9.6, y: 0.95 } as const;
 
@@ -93,7 +93,7 @@ function sinking(scene: Scene, { time, scheme }: Input, output: Output): void {
   const down = (share: number): number => zero - ((zero - deep) * between(-0.35, share, 2.4)) / 2;
   scene.line([left, zero], [right, zero], axis);
   scene.line([left, down(-0.35)], [left, down(2.4)], axis);
-  scene.label([left, down(-0.35)], "how far the top has sunk, m", { ...small, offset: [0, -6] });
+  scene.label([left, down(-0.35)], "top has sunk by, m", { ...small, offset: [0, -6] });
   scene.line([left, down(1)], [right, down(1)], { role: "ink", width: 1.2, dashed: true });
   scene.label([left, down(1)], pretty(output.top_sag, 2), {
     ...small,
@@ -135,7 +135,7 @@ function overlaps(scene: Scene, output: Output): void {
     const rest = up((output.sag[i] ?? 0) / most);
     scene.line([x - wide * 0.4, rest], [x + wide * 0.4, rest], { role: "ink", width: 2 });
   }
-  scene.label([left + 0.7 * wide, bottom], "lowest", { ...small, offset: [-10, 22] });
+  scene.label([left + 0.7 * wide, bottom], "lowest", { ...small, offset: [-10, 16] });
 }
 
 function steps(scene: Scene, { scheme }: Input, output: Output): void {

@@ -149,7 +149,7 @@ function axes(scene: Scene, { time }: Input): void {
     role: "b",
     offset: [10, 4],
   });
-  scene.label([RIGHT, VELOCITY.zero], "t, s", { ...small, offset: [0, 17], anchor: "end" });
+  scene.label([RIGHT, VELOCITY.zero], "t, s", { ...small, offset: [4, -6], anchor: "end" });
   if (time < FIRST || time > LAST) return;
   const now = { role: "muted", width: 1.2, dashed: true } as const;
   scene.line([across(time), ofVelocity(-1.25 * SPEED)], [across(time), FORCE.top], now);
