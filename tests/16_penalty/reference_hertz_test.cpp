@@ -271,8 +271,12 @@ TEMPLATE_TEST_CASE("the stiffness of elastic balls", "", float, double) {
   Random random(1685);
   const Rational u = oracle::exact(contact::tolerance::unit_roundoff<S>);
   for (int i = 0; i < generators::tried(1000); ++i) {
-    const auto ball = elastic_solid(S(random.uniform(1e6, 1e11)), S(random.uniform(-0.9, 0.5)));
-    const auto ground = elastic_solid(S(random.uniform(1e6, 1e11)), S(random.uniform(-0.9, 0.5)));
+    const S ball_modulus = S(random.uniform(1e6, 1e11));
+    const S ball_ratio = S(random.uniform(-0.9, 0.5));
+    const auto ball = elastic_solid(ball_modulus, ball_ratio);
+    const S ground_modulus = S(random.uniform(1e6, 1e11));
+    const S ground_ratio = S(random.uniform(-0.9, 0.5));
+    const auto ground = elastic_solid(ground_modulus, ground_ratio);
     const S r = S(random.uniform(0.001, 1));
     const S other = S(random.uniform(0.001, 1));
     const auto softness = [](const auto& solid) {

@@ -313,9 +313,9 @@ TEST_CASE("a contact spring pulls in steps only with at_zero_penetration") {
 TEST_CASE("implicit forces are those of the end of the step, exactly") {
   Random random(1627);
   for (int i = 0; i < generators::tried(2000); ++i) {
-    const Rational k(random.integer(1, 99), random.integer(1, 9));
-    const Rational c(random.integer(0, 99), random.integer(1, 9));
-    const Rational m(random.integer(1, 99), random.integer(1, 9));
+    const Rational k{random.integer(1, 99), random.integer(1, 9)};
+    const Rational c{random.integer(0, 99), random.integer(1, 9)};
+    const Rational m{random.integer(1, 99), random.integer(1, 9)};
     const Rational d(random.integer(-99, 99), 7);
     const Rational v(random.integer(-99, 99), 7);
     const Rational g(random.integer(0, 10));
@@ -374,9 +374,9 @@ TEST_CASE("with shorter steps each scheme converges to the closed form, at first
 TEST_CASE("a body at rest on a spring stays at its equilibrium, exactly") {
   Random random(1628);
   for (int i = 0; i < generators::tried(1000); ++i) {
-    const Rational k(random.integer(1, 99), random.integer(1, 9));
-    const Rational c(random.integer(0, 99), random.integer(1, 9));
-    const Rational m(random.integer(1, 99), random.integer(1, 9));
+    const Rational k{random.integer(1, 99), random.integer(1, 9)};
+    const Rational c{random.integer(0, 99), random.integer(1, 9)};
+    const Rational m{random.integer(1, 99), random.integer(1, 9)};
     const Rational g(random.integer(1, 20));
     for (const PenaltyScheme scheme : kSchemes) {
       const PenaltyState<Rational> rest{m * g / k, 0};

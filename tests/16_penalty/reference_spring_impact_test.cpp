@@ -355,10 +355,10 @@ TEST_CASE("an impact penetrates as much as its stiffness was chosen for") {
   Random random(1617);
   for (int i = 0; i < generators::tried(2000); ++i) {
     // Without damper: k d² / 2 = m v² / 2 + m g d, in fractions.
-    const Rational m(random.integer(1, 99), random.integer(1, 99));
-    const Rational v(random.integer(0, 99), random.integer(1, 99));
+    const Rational m{random.integer(1, 99), random.integer(1, 99)};
+    const Rational v{random.integer(0, 99), random.integer(1, 99)};
     const Rational g(random.integer(0, 20));
-    const Rational d(random.integer(1, 99), random.integer(1, 9999));
+    const Rational d{random.integer(1, 99), random.integer(1, 9999)};
     const Rational k = contact::stiffness_for_depth(m, v, g, d);
     REQUIRE(k * d * d == m * v * v + 2 * m * g * d);
     if (g != 0 || v == 0) continue;

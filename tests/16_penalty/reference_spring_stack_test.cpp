@@ -132,7 +132,7 @@ TEST_CASE("implicit steps lose the energy of the differences, for every step len
   for (int i = 0; i < generators::tried(500); ++i) {
     const auto stack = whole_stack(random);
     const auto now = any_state(random, stack.size());
-    const Rational h(random.integer(1, 1000), random.integer(1, 100));
+    const Rational h{random.integer(1, 1000), random.integer(1, 100)};
     const auto next = contact::implicit_stack_step(stack, now, h, Rational(0));
     StackState<Rational> change = now;
     for (std::size_t b = 0; b < stack.size(); ++b) {

@@ -282,9 +282,9 @@ TEST_CASE("the polynomial along a ray is that of the steps, exactly") {
 TEST_CASE("Verlet and Runge–Kutta keep a body at rest at rest, exactly") {
   Random random(1645);
   for (int i = 0; i < generators::tried(300); ++i) {
-    const Rational k(random.integer(1, 99), random.integer(1, 9));
-    const Rational c(random.integer(0, 99), random.integer(1, 9));
-    const Rational m(random.integer(1, 99), random.integer(1, 9));
+    const Rational k{random.integer(1, 99), random.integer(1, 9)};
+    const Rational c{random.integer(0, 99), random.integer(1, 9)};
+    const Rational m{random.integer(1, 99), random.integer(1, 9)};
     const Rational g(random.integer(1, 20));
     for (const PenaltyScheme scheme : kStaged) {
       const PenaltyState<Rational> rest{m * g / k, 0};
