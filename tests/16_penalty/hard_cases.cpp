@@ -320,6 +320,38 @@ void add_touch(hard_cases::Runner& runner) {
   });
 }
 
+void add_half_space(hard_cases::Runner& runner) {
+  runner.question("half-space", [](const Case& c) {
+    const auto ball = oracle::exact(c.sphere("ball"));
+    const auto plane = oracle::exact(c.plane("plane"));
+    const Rational depth = ball.radius - (plane.normal.dot(ball.centre) - plane.offset);
+    return Json{{"class", "a"}, {"touching", depth >= 0}};
+  });
+  using Ball = contact::Sphere<double>;
+  using Plane = contact::Plane<double>;
+  const auto method = [&runner](const char* name, auto touching) {
+    runner.method("half-space", name, [touching](const Case& c, const Json& answer) {
+      return touching(c.sphere("ball"), c.plane("plane")) == answer.at("touching").get<bool>();
+    });
+  };
+  method("float", [](const Ball& ball, const Plane& plane) {
+    const contact::Vector3<float> normal = plane.normal.cast<float>();
+    const contact::Vector3<float> centre = ball.centre.cast<float>();
+    return float(ball.radius) - (normal.dot(centre) - float(plane.offset)) >= 0;
+  });
+  method("r − (n·c − k) ≥ 0", [](const Ball& ball, const Plane& plane) {
+    return ball.radius - (plane.normal.dot(ball.centre) - plane.offset) >= 0;
+  });
+  method("r − (n·c − k) > 0", [](const Ball& ball, const Plane& plane) {
+    return ball.radius - (plane.normal.dot(ball.centre) - plane.offset) > 0;
+  });
+  method("book", [](const Ball& ball, const Plane& plane) {
+    return contact::half_space_force<double>({ball, contact::Vector3<double>(0, 0, 0)}, plane,
+                                             {1, 0})
+        .touching;
+  });
+}
+
 void add_jump(hard_cases::Runner& runner) {
   runner.question("jump", [](const Case& c) {
     const Rational sag = oracle::exact(c.number("mass")) * oracle::exact(c.number("gravity")) /
@@ -355,6 +387,7 @@ int main(int argc, char** argv) {
   add_restitution(runner);
   add_duration(runner);
   add_touch(runner);
+  add_half_space(runner);
   add_jump(runner);
   hard_contact::add(runner);
   hard_compliant::add(runner);
