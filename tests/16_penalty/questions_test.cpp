@@ -17,14 +17,14 @@
 
 #define CONTACT_FIGURE_NO_MAIN
 #include <contact/figure.hpp>
+namespace questions_test {
+
 namespace soft_to_rigid {
 #include "figures/soft_to_rigid.cpp"
 }
 namespace step_and_energy {
 #include "figures/step_and_energy.cpp"
 }
-
-namespace questions_test {
 
 namespace {
 
