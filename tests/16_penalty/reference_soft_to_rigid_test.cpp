@@ -165,7 +165,7 @@ double area(const SpringDamper<double>& spring, double mass, double speed, Conta
 
 TEST_CASE("the area under the force is m (1 + e) v") {
   Random random(1664);
-  for (int i = 0; i < generators::tried(300); ++i) {
+  for (int i = 0; i < generators::tried(150); ++i) {
     const double m = std::abs(random.magnitude(-10, 10));
     const double k = std::abs(random.magnitude(-10, 20));
     const double v = std::abs(random.magnitude(-10, 10));

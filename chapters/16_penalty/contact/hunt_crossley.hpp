@@ -114,6 +114,21 @@ inline double expansion_share(double q) {
   return (1 + 2 * z / (2 - q) * artanh_remainder(z)) / (2 - q);
 }
 
+/// The root q from 0 to 1 of −q − ln(1 − q) = target, for targets that are normal numbers. The left
+/// side is convex and at least q² / 2, so Newton's method falls to a root q up to 1/2 from
+/// √(2 target); beyond it rises in 1 − q from exp(−1 − target).
+inline double expansion_root(double target) {
+  if (target <= 0.19) {  // below ln 2 − 1/2: q is below 1/2
+    double q = std::min(std::sqrt(2 * target), 0.5);
+    for (int i = 0; i < 7; ++i) q -= (q * q * expansion_share(q) - target) * (1 - q) / q;
+    return q;
+  }
+  double r = decay(1 + target);
+  if (!(r > 0)) return 1;
+  for (int i = 0; i < 8; ++i) r += r * (r - 1 + log_of_inverse(r) - target) / (1 - r);
+  return 1 - r;
+}
+
 }  // namespace detail
 
 // [hunt-crossley-restitution]
@@ -142,13 +157,7 @@ S hunt_crossley_restitution(const HuntCrossley<S>& contact, const S& speed) {
     }
     return S(e);
   }
-  const double target = p * (p * share);
-  double r = detail::decay(1 + target);
-  if (!(r > 0)) return S(1 / p);
-  for (int i = 0; i < 8; ++i) {
-    r += r * (r - 1 + detail::log_of_inverse(r) - target) / (1 - r);
-  }
-  return S((1 - r) / p);
+  return S(detail::expansion_root(p * (p * share)) / p);
 }
 // [/hunt-crossley-restitution]
 
