@@ -202,7 +202,7 @@ TEST_CASE("the figure's stack of n boxes sags at the bottom by n times the top")
     REQUIRE(out.problem == 0);
     const auto count = static_cast<std::size_t>(n);
     CHECK(std::abs(out.sag[0] - n * out.sag[count - 1]) <= 1e-14);
-    CHECK(std::abs(out.top_sag - n * (n + 1) / 2 * out.sag[count - 1]) <= 1e-13);
+    CHECK(std::abs(out.top_sag - n * (n + 1.0) / 2 * out.sag[count - 1]) <= 1e-13);
   }
 }
 

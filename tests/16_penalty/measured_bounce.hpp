@@ -110,8 +110,8 @@ inline Answer impulse(const Input& input) {
 /// From 2^low m to 2^high m, with a restitution in whole 256ths.
 inline Input drop(generators::Random& random, int low, int high, double least, double most) {
   Input input;
-  input.mass = std::ldexp(random.uniform(1, 2), random.integer(-3, 3));
-  input.height = std::ldexp(random.uniform(1, 2), random.integer(low, high - 1));
+  input.mass = std::abs(random.magnitude(-3, 3));
+  input.height = std::abs(random.magnitude(low, high - 1));
   input.restitution = std::ldexp(std::round(std::ldexp(random.uniform(least, most), 8)), -8);
   for (std::size_t i = 0; i < depths.size(); ++i) {
     const double k =
