@@ -1,9 +1,10 @@
 /// @file
-/// The contact manifold of two bodies: one normal, and enough points to support one body on the
-/// other.
+/// The contact manifold of spheres, capsules, boxes and half-spaces: one normal, and enough points
+/// to support one body on the other.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -11,49 +12,68 @@
 
 #include <contact/convex_shapes.hpp>
 #include <contact/face_clipping.hpp>
+#include <contact/face_overlap.hpp>
+#include <contact/facing_part.hpp>
+#include <contact/gjk_cores.hpp>
+#include <contact/manifold_point.hpp>
 #include <contact/signed_distance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
-
-// [manifold]
-/// A point of a contact manifold.
-template <Ring S>
-struct ManifoldPoint {
-  Vector3<S> point = Vector3<S>::Zero();  ///< midway between the two surfaces, m
-  S distance = S(0);  ///< of the surfaces along the normal, m; negative: penetration
-};
-
-/// The contact manifold of two bodies A and B. Without points there is no contact.
-template <Ring S>
-struct ContactManifold {
-  Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
-  std::vector<ManifoldPoint<S>> points;    ///< in an order that depends only on the bodies
-};
-// [/manifold]
-
-/// The same manifold with the two bodies exchanged.
-template <Ring S>
-ContactManifold<S> exchanged(ContactManifold<S> manifold) {
-  manifold.normal = -manifold.normal;
-  return manifold;
-}
 
 namespace detail {
 
 /// Adds a point of A's surface at the given distance from B's, unless it exceeds the margin.
 template <std::floating_point S>
 void add_manifold_point(ContactManifold<S>& manifold, const Vector3<S>& on_a, const S& distance,
-                        const S& margin) {
+                        const S& margin, const PointFeatures& features) {
   if (!(distance <= margin)) return;
-  manifold.points.push_back({Vector3<S>(on_a - manifold.normal * (distance / S(2))), distance});
+  manifold.points.push_back(
+      {Vector3<S>(on_a - manifold.normal * (distance / S(2))), distance, features});
 }
 
-template <std::floating_point S>
-ContactManifold<S> single_point(const SignedDistance<S>& between, const S& margin) {
+/// The closest points as the only contact.
+template <class A, class B, std::floating_point S>
+ContactManifold<S> single_point(const A& a, const B& b, const SignedDistance<S>& between,
+                                const S& margin) {
   ContactManifold<S> manifold{between.normal, {}};
-  add_manifold_point<S>(manifold, between.on_a, between.distance, margin);
+  if (!(between.distance <= margin)) return manifold;
+  const PointFeatures features{facing_feature(a, Vector3<S>(-between.normal)),
+                               facing_feature(b, between.normal)};
+  add_manifold_point<S>(manifold, between.on_a, between.distance, margin, features);
   return manifold;
+}
+template <class A, class B, std::floating_point S>
+ContactManifold<S> single_point(const A& a, const B& b, const S& margin) {
+  return single_point(a, b, signed_distance(a, b), margin);
+}
+
+/// The manifold of two bodies of any size by a method for those of an ordinary size: bodies that
+/// are very large or small are multiplied by a power of two. Without points if a number is not
+/// finite.
+template <class A, class B, std::floating_point S, class Method>
+ContactManifold<S> manifold_of_any_size(const A& a, const B& b, const S& margin,
+                                        const Method& method) {
+  const S of_a = gjk_detail::largest_number(a), of_b = gjk_detail::largest_number(b);
+  if (!std::isfinite(of_a) || !std::isfinite(of_b)) return {};
+  const int power = scale_power(std::max(of_a, of_b));
+  if (power == 0) return method(a, b, margin);
+  ContactManifold<S> manifold =
+      method(gjk_detail::times_power_of_two(a, -power), gjk_detail::times_power_of_two(b, -power),
+             S(std::ldexp(margin, -power)));
+  for (ManifoldPoint<S>& p : manifold.points) {
+    p.point = times_power_of_two(p.point, power);
+    p.distance = std::ldexp(p.distance, power);
+  }
+  return manifold;
+}
+
+/// The same, with two bodies of one kind in an order that depends on them alone.
+template <class Body, std::floating_point S, class Method>
+ContactManifold<S> ordered_manifold(const Body& a, const Body& b, const S& margin,
+                                    const Method& method) {
+  if (precedes(b, a)) return exchanged(manifold_of_any_size(b, a, margin, method));
+  return manifold_of_any_size(a, b, margin, method);
 }
 
 }  // namespace detail
@@ -64,22 +84,22 @@ ContactManifold<S> single_point(const SignedDistance<S>& between, const S& margi
 /// and overlapping bodies have points, up to rounding
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
-  return detail::single_point(signed_distance(a, b), margin);
+  return detail::single_point(a, b, margin);
 }
 /// A sphere and a capsule: one point.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const Capsule<S>& b, const S& margin) {
-  return detail::single_point(signed_distance(a, b), margin);
+  return detail::single_point(a, b, margin);
 }
 /// A sphere and a box: one point.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const OrientedBox<S>& b, const S& margin) {
-  return detail::single_point(signed_distance(a, b), margin);
+  return detail::single_point(a, b, margin);
 }
 /// A sphere and a half-space: one point.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const HalfSpace<S>& b, const S& margin) {
-  return detail::single_point(signed_distance(a, b), margin);
+  return detail::single_point(a, b, margin);
 }
 // [/single]
 
@@ -89,52 +109,63 @@ ContactManifold<S> contact_manifold(const Sphere<S>& a, const HalfSpace<S>& b, c
 template <std::floating_point S>
 inline constexpr S parallel_sine = S(0x1p-6);
 
-/// Two capsules: one point, or two if they are parallel. Then the points are the ends of the
-/// overlap of their cores.
+namespace detail {
+
+/// The manifold of two bodies that overlap or are near, of an ordinary size.
 template <std::floating_point S>
-ContactManifold<S> contact_manifold(const Capsule<S>& a, const Capsule<S>& b, const S& margin) {
+ContactManifold<S> capsules_manifold(const Capsule<S>& a, const Capsule<S>& b, const S& margin) {
   const SignedDistance<S> near = signed_distance(a, b);
   const Vector3<S> d = a.core.end - a.core.start;
   const Vector3<S> e = b.core.end - b.core.start;
   const S whole = d.dot(d);
-  const S sine = detail::length<S>(d.cross(e));
-  if (!(sine <= parallel_sine<S> * detail::length<S>(d) * detail::length<S>(e)) ||
-      !(whole > S(0)) || !(e.dot(e) > S(0))) {
-    return detail::single_point(near, margin);
+  const S sine = length<S>(d.cross(e));
+  if (!(sine <= parallel_sine<S> * length<S>(d) * length<S>(e)) || !(whole > S(0)) ||
+      !(e.dot(e) > S(0))) {
+    return single_point(a, b, near, margin);
   }
   const S one = d.dot(Vector3<S>(b.core.start - a.core.start)) / whole;
   const S other = d.dot(Vector3<S>(b.core.end - a.core.start)) / whole;
-  const S first = std::max(S(0), std::min(one, other));
-  const S last = std::min(S(1), std::max(one, other));
-  if (!(first < last)) return detail::single_point(near, margin);
+  const S low = std::min(one, other), high = std::max(one, other);
+  const S first = std::max(S(0), low), last = std::min(S(1), high);
+  if (!(first < last)) return single_point(a, b, near, margin);
+  // An end of A over B's side, or an end of B over A's.
+  const SurfaceFeature side = edge_feature(0, 1);
+  const int start_of_b = one <= other ? 0 : 1;
+  const std::array<PointFeatures, 2> features{
+      low <= S(0) ? PointFeatures{vertex_feature(0), side}
+                  : PointFeatures{side, vertex_feature(start_of_b)},
+      high >= S(1) ? PointFeatures{vertex_feature(1), side}
+                   : PointFeatures{side, vertex_feature(1 - start_of_b)}};
   ContactManifold<S> manifold{near.normal, {}};
-  for (const S& t : {first, last}) {
-    const Vector3<S> on_a = detail::point_at<S>(a.core, t);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector3<S> on_a = point_at<S>(a.core, i == 0 ? first : last);
     const Vector3<S> on_b = closest_point<S>(on_a, b.core);
     const S distance = near.normal.dot(Vector3<S>(on_a - on_b)) - (a.radius + b.radius);
-    detail::add_manifold_point<S>(manifold, Vector3<S>(on_a - near.normal * a.radius), distance,
-                                  margin);
+    add_manifold_point<S>(manifold, Vector3<S>(on_a - near.normal * a.radius), distance, margin,
+                          features[i]);
   }
   return manifold;
 }
 
-/// A capsule and a half-space: each end of the core within the margin.
+/// The features of a point of a capsule's core over a face of a box: an end and the face, or the
+/// side and the edge of the face at which it was clipped.
 template <std::floating_point S>
-ContactManifold<S> contact_manifold(const Capsule<S>& a, const HalfSpace<S>& b, const S& margin) {
-  ContactManifold<S> manifold{b.boundary.normal, {}};
-  const auto add = [&](const Vector3<S>& end) {
-    detail::add_manifold_point<S>(manifold, Vector3<S>(end - b.boundary.normal * a.radius),
-                                  S(signed_distance(b.boundary, end) - a.radius), margin);
-  };
-  add(a.core.start);
-  if (a.core.end != a.core.start) add(a.core.end);
-  return manifold;
+PointFeatures features_over_face(const Vector3<S>& p, const Capsule<S>& capsule,
+                                 const OrientedBox<S>& box, int axis, bool positive) {
+  if (p == capsule.core.start) return {vertex_feature(0), {}};
+  if (p == capsule.core.end) return {vertex_feature(1), {}};
+  const Vector3<S> local = in_box_axes(box, p);
+  const int i = (axis + 1) % 3, k = (axis + 2) % 3;
+  const bool at_i = std::abs(std::abs(local(i)) - box.half_lengths(i)) <=
+                    std::abs(std::abs(local(k)) - box.half_lengths(k));
+  const int clipped = at_i ? i : k, along = at_i ? k : i;
+  const int corner = (positive ? 1 << axis : 0) | (local(clipped) > S(0) ? 1 << clipped : 0);
+  return {edge_feature(0, 1), edge_feature(corner, corner | (1 << along))};
 }
 
-/// A capsule and a box: one point, or two if the capsule is parallel to a face. Then the points are
-/// the ends of the part of its core above the face.
 template <std::floating_point S>
-ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b, const S& margin) {
+ContactManifold<S> capsule_box_manifold(const Capsule<S>& a, const OrientedBox<S>& b,
+                                        const S& margin) {
   const SignedDistance<S> near = signed_distance(a, b);
   const Vector3<S>& n = near.normal;
   const Vector3<S> d = a.core.end - a.core.start;
@@ -147,20 +178,49 @@ ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b
   }
   const S facing = n.dot(Vector3<S>(b.axes.col(axis)));
   const bool on_face = std::abs(facing) >= S(1) - parallel_sine<S> * parallel_sine<S>;
-  const bool lies = std::abs(n.dot(d)) <= parallel_sine<S> * detail::length<S>(d);
-  if (d == Vector3<S>::Zero() || !on_face || !lies) return detail::single_point(near, margin);
-  const Vector3<S> first = detail::lowest_over_face<S>(a.core, b, axis);
-  const Vector3<S> last =
-      detail::lowest_over_face<S>(Segment<S>{a.core.end, a.core.start}, b, axis);
+  const bool lies = std::abs(n.dot(d)) <= parallel_sine<S> * length<S>(d);
+  if (d == Vector3<S>::Zero() || !on_face || !lies) return single_point(a, b, near, margin);
+  const Vector3<S> first = lowest_over_face<S>(a.core, b, axis);
+  const Vector3<S> last = lowest_over_face<S>(Segment<S>{a.core.end, a.core.start}, b, axis);
   ContactManifold<S> manifold{n, {}};
   const S top = n.dot(b.centre) + projected_radius(b, n);
   for (const Vector3<S>& p : {first, last}) {
-    detail::add_manifold_point<S>(manifold, Vector3<S>(p - n * a.radius),
-                                  S(n.dot(p) - top - a.radius), margin);
+    add_manifold_point<S>(manifold, Vector3<S>(p - n * a.radius), S(n.dot(p) - top - a.radius),
+                          margin, features_over_face<S>(p, a, b, axis, facing > S(0)));
     if (first == last) break;
   }
-  if (manifold.points.empty()) return detail::single_point(near, margin);
+  if (manifold.points.empty()) return single_point(a, b, near, margin);
   return manifold;
+}
+
+}  // namespace detail
+
+/// Two capsules: one point, or two if they are parallel. Then the points are the ends of the
+/// overlap of their cores.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Capsule<S>& a, const Capsule<S>& b, const S& margin) {
+  return detail::ordered_manifold(a, b, margin, detail::capsules_manifold<S>);
+}
+
+/// A capsule and a half-space: each end of the core within the margin.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Capsule<S>& a, const HalfSpace<S>& b, const S& margin) {
+  ContactManifold<S> manifold{b.boundary.normal, {}};
+  const auto add = [&](const Vector3<S>& end, int vertex) {
+    detail::add_manifold_point<S>(manifold, Vector3<S>(end - b.boundary.normal * a.radius),
+                                  S(signed_distance(b.boundary, end) - a.radius), margin,
+                                  {vertex_feature(vertex), {}});
+  };
+  add(a.core.start, 0);
+  if (a.core.end != a.core.start) add(a.core.end, 1);
+  return manifold;
+}
+
+/// A capsule and a box: one point, or two if the capsule is parallel to a face. Then the points are
+/// the ends of the part of its core above the face.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b, const S& margin) {
+  return detail::manifold_of_any_size(a, b, margin, detail::capsule_box_manifold<S>);
 }
 // [/capsules]
 
@@ -180,7 +240,8 @@ ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const HalfSpace<S>&
   std::sort(order.begin(), order.end());
   ContactManifold<S> manifold{b.boundary.normal, {}};
   for (const int k : order) {
-    detail::add_manifold_point<S>(manifold, box_corner(a, k), at(k), margin);
+    detail::add_manifold_point<S>(manifold, box_corner(a, k), at(k), margin,
+                                  {vertex_feature(k), {}});
   }
   return manifold;
 }
@@ -193,6 +254,61 @@ ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const HalfSpace<S>&
 template <std::floating_point S>
 inline constexpr S face_preference = S(0x1p-10);
 
+namespace detail {
+
+/// The four sides of a box's face, in the order of polygon_over_face() of chapter 9.
+template <std::floating_point S>
+std::vector<ReferenceSide<S>> sides_of_face(const OrientedBox<S>& box, int axis, bool positive) {
+  std::vector<ReferenceSide<S>> sides;
+  for (int k = 1; k < 3; ++k) {
+    const int side = (axis + k) % 3, along = (axis + 3 - k) % 3;
+    const Vector3<S> n = box.axes.col(side);
+    const S middle = n.dot(box.centre);
+    const int corner = positive ? 1 << axis : 0, beyond = corner | (1 << side);
+    sides.push_back(
+        {n, S(middle + box.half_lengths(side)), edge_feature(beyond, beyond | (1 << along))});
+    sides.push_back({Vector3<S>(-n), S(box.half_lengths(side) - middle),
+                     edge_feature(corner, corner | (1 << along))});
+  }
+  return sides;
+}
+
+template <std::floating_point S>
+ContactManifold<S> boxes_manifold(const OrientedBox<S>& a, const OrientedBox<S>& b,
+                                  const S& margin) {
+  const AxisSeparation<S> face = max_separation<S>(a, b, 0, 5);
+  if (face.separation > margin) return {face.normal, {}};
+  const AxisSeparation<S> edges = max_separation<S>(a, b, 6, box_axis_count - 1);
+  if (edges.axis >= 0 && edges.separation > margin) return {edges.normal, {}};
+  const S slack =
+      face_preference<S> * std::min(a.half_lengths.minCoeff(), b.half_lengths.minCoeff());
+  if (edges.axis >= 0 && edges.separation > face.separation + slack) {
+    return single_point(a, b, margin);
+  }
+  const bool of_a = face.axis < 3;
+  const int axis = face.axis % 3;
+  const OrientedBox<S>& reference = of_a ? a : b;
+  const OrientedBox<S>& incident = of_a ? b : a;
+  const Vector3<S> outward = of_a ? Vector3<S>(-face.normal) : face.normal;
+  const BoxFace<S> looking = face_towards<S>(incident, Vector3<S>(-outward));
+  const bool positive = outward.dot(Vector3<S>(reference.axes.col(axis))) > S(0);
+  const std::vector<OverlapVertex<S>> overlap = face_overlap<S>(
+      {looking.corners.begin(), looking.corners.end()},
+      {looking.indices.begin(), looking.indices.end()}, sides_of_face(reference, axis, positive));
+  const Vector3<S> top = reference.centre + outward * reference.half_lengths(axis);
+  ContactManifold<S> manifold{face.normal, {}};
+  for (const OverlapVertex<S>& v : overlap) {
+    const S distance = outward.dot(Vector3<S>(v.point - top));
+    const Vector3<S> on_a = of_a ? Vector3<S>(v.point - outward * distance) : v.point;
+    const PointFeatures features{v.reference, v.incident};
+    add_manifold_point<S>(manifold, on_a, distance, margin, of_a ? features : exchanged(features));
+  }
+  if (manifold.points.empty()) return single_point(a, b, margin);
+  return manifold;
+}
+
+}  // namespace detail
+
 /// Two boxes.
 ///
 /// If a face normal is the axis of largest separation, its face is the reference face, and the
@@ -201,37 +317,13 @@ inline constexpr S face_preference = S(0x1p-10);
 /// axis separates clearly more, the contact is the one point between the two edges.
 ///
 /// Where corners meet, many directions are possible normals. The first of the fifteen axes with the
-/// largest separation is taken, so the choice is the same in every run. If the clipped polygon has
-/// no point within the margin, the closest points are the contact.
+/// largest separation is taken, of the boxes in the order of their stored numbers, so the choice is
+/// the same in every run and with the boxes exchanged. If the clipped polygon has no point within
+/// the margin, the closest points are the contact.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const OrientedBox<S>& b,
                                     const S& margin) {
-  const detail::AxisSeparation<S> face = detail::max_separation<S>(a, b, 0, 5);
-  if (face.separation > margin) return {face.normal, {}};
-  const detail::AxisSeparation<S> edges = detail::max_separation<S>(a, b, 6, box_axis_count - 1);
-  if (edges.axis >= 0 && edges.separation > margin) return {edges.normal, {}};
-  const S slack =
-      face_preference<S> * std::min(a.half_lengths.minCoeff(), b.half_lengths.minCoeff());
-  if (edges.axis >= 0 && edges.separation > face.separation + slack) {
-    return detail::single_point(signed_distance(a, b), margin);
-  }
-  const bool of_a = face.axis < 3;
-  const int axis = face.axis % 3;
-  const OrientedBox<S>& reference = of_a ? a : b;
-  const OrientedBox<S>& incident = of_a ? b : a;
-  const Vector3<S> outward = of_a ? Vector3<S>(-face.normal) : face.normal;
-  const BoxFace<S> looking = face_towards<S>(incident, Vector3<S>(-outward));
-  const std::vector<Vector3<S>> polygon = polygon_over_face<S>(
-      std::vector<Vector3<S>>(looking.corners.begin(), looking.corners.end()), reference, axis);
-  const Vector3<S> top = reference.centre + outward * reference.half_lengths(axis);
-  ContactManifold<S> manifold{face.normal, {}};
-  for (const Vector3<S>& p : polygon) {
-    const S distance = outward.dot(Vector3<S>(p - top));
-    const Vector3<S> on_a = of_a ? Vector3<S>(p - outward * distance) : p;
-    detail::add_manifold_point<S>(manifold, on_a, distance, margin);
-  }
-  if (manifold.points.empty()) return detail::single_point(signed_distance(a, b), margin);
-  return manifold;
+  return detail::ordered_manifold(a, b, margin, detail::boxes_manifold<S>);
 }
 // [/boxes]
 
