@@ -42,7 +42,7 @@ TEST_CASE("without friction the iterations converge to the direct solution") {
     const bool at_once = i % 2 == 1;
     const auto got =
         contact::solve_contacts<double>(d.bodies, d.contacts, {}, {400000, 1e-13, 1.0, at_once});
-    CHECK(got.report.last_change <= 1e-13);
+    CHECK(got.report.settled);
     for (std::size_t k = 0; k < right.size(); ++k) {
       CHECK(oracle::error(got.bodies[k].velocity, right[k].velocity) <= 2e-9);
       CHECK(oracle::error(got.bodies[k].angular_velocity, right[k].angular_velocity) <= 2e-9);
@@ -123,55 +123,6 @@ TEST_CASE("without restitution no number of iterations adds energy") {
                                                        {iterations, 0.0, 1.0, i % 2 == 0});
       CHECK(energy(got.bodies) <= energy(p.bodies) * (1 + 1e-12));
     }
-  }
-}
-
-namespace {
-
-/// A box that is symmetric about the plane of x and z, and moves in it, on a floor with its four
-/// lower corners, in any order.
-Problem<double> mirrored(Random& random) {
-  Problem<double> p;
-  const V half(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1));
-  p.bodies = {contact::immovable<double>(V(0, 0, 0), V(0, 0, 0), V(0, 0, 0)),
-              contact::rigid_body<double>(2, contact::box_inertia<double>(2, V(half * 2)),
-                                          V(0, 0, half.z()),
-                                          V(random.uniform(0.5, 3), 0, -random.uniform(0, 2)),
-                                          V(0, random.uniform(-3, 3), 0))};
-  const double friction = random.uniform(0.1, 0.8);
-  const double e = random.uniform(0, 1);
-  for (const double x : {-half.x(), half.x()})
-    for (const double y : {-half.y(), half.y()})
-      p.contacts.push_back({1, 0, V(x, y, 0), V(0, 0, 1), friction, 0});
-  for (auto& c : p.contacts)
-    c.min_velocity = std::max(0.0, -e * contact::contact_velocity(p.bodies, c));
-  for (std::size_t k = 3; k > 0; --k)
-    std::swap(p.contacts[k], p.contacts[static_cast<std::size_t>(random.integer(0, int(k)))]);
-  return p;
-}
-
-}  // namespace
-
-TEST_CASE("with Jacobi a symmetric box stays symmetric, in any order of contacts") {
-  Random random(1812);
-  for (int i = 0; i < tried(200); ++i) {
-    const auto p = mirrored(random);
-    const auto got =
-        contact::solve_contacts<double>(p.bodies, p.contacts, {}, {20000, 1e-13, 1.0, true});
-    const Body& box = got.bodies[1];
-    CHECK(got.report.last_change <= 1e-13);
-    CHECK(std::abs(box.velocity.y()) <= 1e-12);
-    CHECK(std::abs(box.angular_velocity.x()) <= 1e-12);
-    CHECK(std::abs(box.angular_velocity.z()) <= 1e-12);
-  }
-}
-
-TEST_CASE("over-relaxed iterations converge with friction too") {
-  Random random(1813);
-  for (int i = 0; i < tried(200); ++i) {
-    const auto p = mirrored(random);
-    const auto got = contact::solve_contacts<double>(p.bodies, p.contacts, {}, {20000, 1e-13, 1.8});
-    CHECK(got.report.last_change <= 1e-13);
   }
 }
 

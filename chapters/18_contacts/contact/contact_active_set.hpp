@@ -252,6 +252,7 @@ std::optional<std::vector<ContactImpulse<S>>> active_set_impulses(
 // [finish-contacts]
 /// The result to which solve_contacts() would converge, or closer to it, from the impulses of its
 /// iterations.
+/// @param tolerance m/s; for `settled` of the report, as for solve_contacts()
 /// @return the last change is the largest speed at which a contact still closes. Nothing where
 /// active_set_impulses() returns nothing or nothing better: a contact closes faster than after the
 /// iterations, contacts without restitution add energy, or there is a jam (see max_leverage)
@@ -259,7 +260,8 @@ template <std::floating_point S>
 std::optional<SolvedContacts<S>> solve_active_set(const std::vector<RigidBody<S>>& bodies,
                                                   const std::vector<BodyContact<S>>& contacts,
                                                   const std::vector<ContactImpulse<S>>& start,
-                                                  FrictionLaw law = FrictionLaw::coulomb) {
+                                                  FrictionLaw law = FrictionLaw::coulomb,
+                                                  const S& tolerance = S(1e-12)) {
   const auto prepared = detail::prepared_contacts<S>(bodies, contacts);
   std::vector<BodyContact<S>> soft = contacts;
   for (BodyContact<S>& c : soft) c.min_velocity = std::min(c.min_velocity, S(0));
@@ -305,7 +307,8 @@ std::optional<SolvedContacts<S>> solve_active_set(const std::vector<RigidBody<S>
     stopped = better(soft);
     if (!stopped || makes_energy(*stopped)) return std::nullopt;
   }
-  auto solved = detail::solved_by<S>(bodies, prepared, *found, [&] { return *stopped; });
+  auto solved = detail::solved_by<S>(
+      bodies, prepared, *found, [&] { return *stopped; }, tolerance);
   for (const BodyContact<S>& c : soft) {
     solved.report.last_change =
         std::max(solved.report.last_change, c.min_velocity - contact_velocity<S>(solved.bodies, c));
