@@ -68,7 +68,6 @@ Problem<double> mirrored(Random& random, Problem<double> p, int axis) {
 
 TEST_CASE("with Jacobi the mirror image moves as the mirror image, to the last bit, in any order") {
   Random random(1812);
-  int blended = 0;
   for (int i = 0; i < tried(120); ++i) {
     auto p = down(problem(random, random.integer(2, 5), random.integer(2, 9)));
     const double e = i % 2 == 0 ? 0.0 : random.uniform(0, 1);
@@ -89,9 +88,7 @@ TEST_CASE("with Jacobi the mirror image moves as the mirror image, to the last b
     }
     CHECK(one.report.iterations == two.report.iterations);
     CHECK(one.report.residual == two.report.residual);
-    blended += one.report.blended ? 1 : 0;
   }
-  CHECK(blended >= tried(1));
 }
 
 TEST_CASE("one after the other, the order of the contacts changes the bits") {
