@@ -7,8 +7,8 @@ Eigen::Matrix2d inverse_effective_masses(double mass, double inertia,
   //? An impulse accelerates the centre of mass, and every point with it.
   //? gap: 1 / mass
   const Eigen::Matrix2d moved = Eigen::Matrix2d::Constant(1 / mass);
-  //? It also changes the angular velocity, by its own lever arm. A point then moves by the lever
-  //? arm that it has itself; on the other side of the centre that is the other direction.
+  //? It also changes the angular velocity, by its own lever arm. A point then moves by the one
+  //? that it has itself; on the other side of the centre that is the other direction.
   //? gap: lever_arms * lever_arms.transpose() / inertia
   const Eigen::Matrix2d turned = lever_arms * lever_arms.transpose() / inertia;
   //? Both together.
