@@ -99,6 +99,26 @@ TEST_CASE("a box on an equal box keeps its points by distance where rounding cha
   CHECK(changed > tried(100));
 }
 
+TEST_CASE("rounding of a resting box does not change the order of its points") {
+  Random random(1843);
+  for (const double size : {0.75, 1.25}) {
+    Manifold previous;
+    const Box below = box_at(V(0, 0, -1), V(1, 1, 1));
+    for (int step = 0; step < tried(200); ++step) {
+      const V centre{random.uniform(-1e-14, 1e-14), random.uniform(-1e-14, 1e-14), 1};
+      const Box above = turned(centre, V(size, size, 1), random.uniform(-1e-14, 1e-14));
+      const Manifold now = contact::contact_manifold(above, below, 1e-3);
+      REQUIRE(now.points.size() == 4);
+      CHECK((now.normal - V(0, 0, 1)).norm() <= 1e-13);
+      for (std::size_t i = 0; step > 0 && i < 4; ++i) {
+        CHECK((now.points[i].point - previous.points[i].point).norm() <= 1e-12);
+        CHECK(now.points[i].features == previous.points[i].features);
+      }
+      previous = now;
+    }
+  }
+}
+
 TEST_CASE("each previous point is matched at most once, whatever the features") {
   Random random(1842);
   const auto manifold = [&random] {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <limits>
@@ -146,14 +147,17 @@ ContactManifold<S> without_known(const std::vector<PieceManifold<S>>& kept,
 }
 
 // [compound-pairs]
-/// The manifolds of all pairs of pieces, the closest or deepest pair first, without those on inner
-/// faces and edges.
+/// The manifolds of all pairs of pieces, in the order of the pieces, without those on inner faces
+/// and edges. The closest or deepest pair is taken first.
 template <std::floating_point S>
 std::vector<PieceManifold<S>> outer_manifolds(const CompoundBody<S>& a, const CompoundBody<S>& b,
                                               std::vector<PieceManifold<S>> pairs, const S& step) {
-  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) {
-    return least_distance(p.manifold) < least_distance(q.manifold);
-  });
+  // In units of the step, so that rounding does not change the order of points that rest.
+  const auto level = [&step](const PieceManifold<S>& pair) {
+    return std::floor(least_distance(pair.manifold) / step);
+  };
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&level](const auto& p, const auto& q) { return level(p) < level(q); });
   std::vector<PieceManifold<S>> kept;
   const auto is_kept = [&kept](int piece_a, int piece_b) {
     return std::any_of(kept.begin(), kept.end(),
@@ -179,23 +183,34 @@ std::vector<PieceManifold<S>> outer_manifolds(const CompoundBody<S>& a, const Co
     kept.push_back({pair.piece_a, pair.piece_b, std::move(manifold)});
   }
   if (kept.empty() && !pairs.empty()) kept.push_back(pairs[0]);
+  std::sort(kept.begin(), kept.end(), [](const auto& p, const auto& q) {
+    return p.piece_a != q.piece_a ? p.piece_a < q.piece_a : p.piece_b < q.piece_b;
+  });
   return kept;
 }
 // [/compound-pairs]
 
+/// Whether B is taken before A, as is_second() of single bodies: by the means of the pieces.
 template <std::floating_point S>
-bool precedes(const CompoundBody<S>& a, const CompoundBody<S>& b) {
-  return std::lexicographical_compare(
-      a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
-      [](const ConvexHull<S>& p, const ConvexHull<S>& q) { return precedes(p, q); });
+bool is_second(const CompoundBody<S>& a, const CompoundBody<S>& b) {
+  ConvexHull<S> centre_a, centre_b;
+  for (const ConvexHull<S>& p : a.pieces) {
+    if (!p.vertices.empty()) centre_a.vertices.push_back(inner_point(p));
+  }
+  for (const ConvexHull<S>& p : b.pieces) {
+    if (!p.vertices.empty()) centre_b.vertices.push_back(inner_point(p));
+  }
+  if (centre_a.vertices.empty() || centre_b.vertices.empty()) return false;
+  return is_second(centre_a, centre_b);
 }
 
 }  // namespace detail
 
 // [compound-contacts]
 /// The contact points of two bodies of convex pieces: one manifold for each pair of pieces that has
-/// points, the closest or deepest pair first. Two bodies may have many points with different
-/// normals, as a box in the inner corner of an L.
+/// points, in the order of the pieces of that body which comes first along the coordinate in which
+/// the centres differ most. Two bodies may have many points with different normals, as a box in the
+/// inner corner of an L.
 ///
 /// Left out are:
 /// - a pair whose contact is on an inner face: the middle of its points is covered by another piece
@@ -203,7 +218,7 @@ bool precedes(const CompoundBody<S>& a, const CompoundBody<S>& b) {
 /// - a pair at an edge or a vertex where another piece goes on beyond the plane of support, if that
 ///   piece has points with the same piece of the other body: a ball that rolls over the joint of
 ///   two boxes does not hit the edges inside;
-/// - a point that an earlier pair has with the same normal, such as those on the joint.
+/// - a point that a closer pair has with the same normal, such as those on the joint.
 ///
 /// If all pairs are left out, the closest or deepest is the contact, so bodies that have points
 /// with the same margin by pieces never pass through each other for want of a contact. A body that
@@ -216,7 +231,7 @@ bool precedes(const CompoundBody<S>& a, const CompoundBody<S>& b) {
 template <FloatOrDouble S>
 std::vector<PieceManifold<S>> compound_contacts(const CompoundBody<S>& a, const CompoundBody<S>& b,
                                                 const S& margin) {
-  if (detail::precedes(b, a)) {
+  if (detail::is_second(a, b)) {
     std::vector<PieceManifold<S>> found = compound_contacts(b, a, margin);
     for (PieceManifold<S>& pair : found) {
       std::swap(pair.piece_a, pair.piece_b);

@@ -17,6 +17,7 @@
 #include <contact/gjk_cores.hpp>
 #include <contact/manifold_point.hpp>
 #include <contact/signed_distance.hpp>
+#include <contact/support.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -68,11 +69,29 @@ ContactManifold<S> manifold_of_any_size(const A& a, const B& b, const S& margin,
   return manifold;
 }
 
-/// The same, with two bodies of one kind in an order that depends on them alone.
+// [order-of-bodies]
+/// Whether B is taken before A: it comes first along the coordinate in which their centres differ
+/// most, or, if the centres are equal, in the order of the stored numbers.
+///
+/// The order depends on the two bodies alone, and not on which of them is called A. While one rests
+/// on the other it does not change: an order of the stored numbers would, with the last digit of a
+/// coordinate in which two stacked boxes agree.
+template <class Body>
+bool is_second(const Body& a, const Body& b) {
+  const auto between = (inner_point(b) - inner_point(a)).eval();
+  int largest = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(between(i)) > std::abs(between(largest))) largest = i;
+  }
+  return between(largest) != 0 ? between(largest) < 0 : precedes(b, a);
+}
+// [/order-of-bodies]
+
+/// The manifold of two bodies of one kind, in an order that depends on them alone.
 template <class Body, std::floating_point S, class Method>
 ContactManifold<S> ordered_manifold(const Body& a, const Body& b, const S& margin,
                                     const Method& method) {
-  if (precedes(b, a)) return exchanged(manifold_of_any_size(b, a, margin, method));
+  if (is_second(a, b)) return exchanged(manifold_of_any_size(b, a, margin, method));
   return manifold_of_any_size(a, b, margin, method);
 }
 
@@ -317,9 +336,9 @@ ContactManifold<S> boxes_manifold(const OrientedBox<S>& a, const OrientedBox<S>&
 /// axis separates clearly more, the contact is the one point between the two edges.
 ///
 /// Where corners meet, many directions are possible normals. The first of the fifteen axes with the
-/// largest separation is taken, of the boxes in the order of their stored numbers, so the choice is
-/// the same in every run and with the boxes exchanged. If the clipped polygon has no point within
-/// the margin, the closest points are the contact.
+/// largest separation is taken, of the box that comes first along the coordinate in which the
+/// centres differ most, so the choice is the same in every run and with the boxes exchanged. If the
+/// clipped polygon has no point within the margin, the closest points are the contact.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const OrientedBox<S>& b,
                                     const S& margin) {

@@ -275,10 +275,20 @@ ContactManifold2d<S> manifold_2d(const Polygon<S>& a, const Polygon<S>& b, const
   return manifold;
 }
 
-/// Whether the stored numbers of a are before those of b.
+/// Whether B is taken before A: it comes first along the coordinate in which the means of their
+/// vertices differ most, or, if these are equal, in the order of the stored numbers. While one
+/// polygon rests on the other the order does not change.
 template <FloatOrDouble S>
-bool precedes(const Polygon<S>& a, const Polygon<S>& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+bool is_second(const Polygon<S>& a, const Polygon<S>& b) {
+  const auto mean = [](const Polygon<S>& polygon) {
+    Vector2<S> sum = Vector2<S>::Zero();
+    for (const Vector2<S>& p : polygon) sum += Vector2<S>(p / S(polygon.size()));
+    return sum;
+  };
+  const Vector2<S> between = mean(b) - mean(a);
+  const int largest = std::abs(between.y()) > std::abs(between.x()) ? 1 : 0;
+  if (between(largest) != S(0)) return between(largest) < S(0);
+  return std::lexicographical_compare(b.begin(), b.end(), a.begin(), a.end(),
                                       [](const Vector2<S>& p, const Vector2<S>& q) {
                                         return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
                                       });
@@ -297,11 +307,11 @@ Polygon<S> times_power_of_two(Polygon<S> polygon, int power) {
 ///
 /// The edge that separates most is the reference edge, and the other polygon's edge that faces it
 /// most is the incident edge. What of the incident edge lies over the reference edge has two ends;
-/// those within the margin are the points. The polygon that is first in the order of their stored
-/// numbers has the reference edge if both separate as much. Where two vertices meet, several edges
-/// do: then the first one gives the normal. So the answer is the same in every run, and exchanging
-/// the polygons gives exactly the opposite normal and the same points, unless all their numbers are
-/// equal.
+/// those within the margin are the points. The polygon that comes first along the coordinate in
+/// which their centres differ most has the reference edge if both separate as much. Where two
+/// vertices meet, several edges do: then the first one gives the normal. So the answer is the same
+/// in every run, and exchanging the polygons gives exactly the opposite normal and the same points,
+/// unless all their numbers are equal.
 ///
 /// If no point is as close as the closest points, to within 2^-10 of the smaller polygon, the
 /// closest points are the only contact: as where one vertex is obliquely above another. Then the
@@ -320,7 +330,7 @@ ContactManifold2d<S> contact_manifold_2d(const Polygon<S>& a, const Polygon<S>& 
                                          const S& margin) {
   const S of_a = detail::largest_coordinate<S>(a), of_b = detail::largest_coordinate<S>(b);
   if (a.size() < 3 || b.size() < 3 || !std::isfinite(of_a) || !std::isfinite(of_b)) return {};
-  if (detail::precedes<S>(b, a)) return exchanged(contact_manifold_2d(b, a, margin));
+  if (detail::is_second<S>(a, b)) return exchanged(contact_manifold_2d(b, a, margin));
   const S size = std::max(of_a, of_b);
   const int power = detail::scale_power(size);
   if (power == 0) return detail::manifold_2d(a, b, margin, size);
