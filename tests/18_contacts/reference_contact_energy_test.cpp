@@ -27,7 +27,7 @@ using support::refusal;
 
 namespace {
 
-struct TwoContacts {
+struct CycleOfTwo {
   V size;
   V velocity;
   V angular_velocity;
@@ -36,7 +36,7 @@ struct TwoContacts {
   std::array<double, 2> friction;
 };
 
-Problem<double> problem_of(const TwoContacts& from) {
+Problem<double> problem_of(const CycleOfTwo& from) {
   Problem<double> p;
   const V zero(0, 0, 0);
   p.bodies = {contact::immovable<double>(zero, zero, zero),
@@ -57,7 +57,7 @@ double added_by_iterations(const Problem<double>& p, int iterations) {
 
 // Of millions of random sets of two contacts, those whose iterations repeat two states for ever,
 // one of them with more energy than at the start.
-const std::vector<TwoContacts> cycles{
+const std::vector<CycleOfTwo> cycles{
     {{1, 0.7, 0.5},
      {0.8, 0.8, -0.6},
      {-0.6, -0.7, -1},
@@ -117,7 +117,7 @@ const std::vector<TwoContacts> cycles{
 }  // namespace
 
 TEST_CASE("two contacts whose iterations repeat two states for ever add no energy") {
-  for (const TwoContacts& cycle : cycles) {
+  for (const CycleOfTwo& cycle : cycles) {
     const auto p = problem_of(cycle);
     CHECK(added_by_iterations(p, 200) > 1e-4);
     for (const int iterations : {1, 2, 3, 40, 41, 200, 201, 1000}) {
@@ -133,7 +133,7 @@ TEST_CASE("two contacts whose iterations repeat two states for ever add no energ
 }
 
 TEST_CASE("iterations that repeat themselves settle when the relaxation is reduced") {
-  for (const TwoContacts& cycle : cycles) {
+  for (const CycleOfTwo& cycle : cycles) {
     const auto p = problem_of(cycle);
     const auto got = contact::solve_contacts<double>(p.bodies, p.contacts);
     CHECK(got.report.settled);

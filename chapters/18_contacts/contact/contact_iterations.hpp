@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <contact/contact_lcp.hpp>
+#include <contact/friction_pyramid.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/signed_distance.hpp>
@@ -42,6 +43,12 @@ struct SolverSettings {
   /// but independent of the order of the contacts to the last bit, so a scene that is symmetric
   /// about a plane perpendicular to a coordinate axis stays symmetric to the last bit.
   bool jacobi = false;
+  /// Block solve: two contacts of the same bodies that follow each other in the list are solved at
+  /// once (two_contacts.hpp), so that the two ends of a rod or an edge need one iteration. Not with
+  /// `jacobi`, and without over-relaxation of their normals.
+  bool block = false;
+  /// The set to which friction is limited. The pyramid's errors are those of pyramid_error().
+  FrictionBound friction_bound = FrictionBound::cone;
 };
 
 /// How the iterations ended, and what the impulses are worth.
@@ -76,6 +83,7 @@ struct PreparedContact {
   std::array<Vector3<S>, 3> angular_b;
   S inverse_normal_mass = S(0);   // inverse of the effective mass along the normal, 1/kg
   S inverse_tangent_mass = S(0);  // an upper bound of it over all tangents, 1/kg
+  FrictionBound bound = FrictionBound::cone;
 };
 
 /// @param together whether the effective masses must not depend on which body is A (for Jacobi)
@@ -134,59 +142,69 @@ Vector3<S> relative_velocity(const std::vector<RigidBody<S>>& bodies,
 template <std::floating_point S>
 using ImpulseComponents = std::array<S, 3>;
 
-/// √(x² + y²), also where the squares overflow or underflow.
+// [gauss-seidel]
+/// Changes the friction of a contact to the nearest that its normal impulse allows. Returns the
+/// change of a velocity, as relax() does.
 template <std::floating_point S>
-S disc_length(const S& x, const S& y) {
-  const S square = x * x + y * y;
-  const S low = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
-  if (square >= low && square <= std::numeric_limits<S>::max()) return std::sqrt(square);
-  const S large = std::max(std::abs(x), std::abs(y));
-  if (!(large > S(0)) || !std::isfinite(large)) return large;
-  const S ratio = std::min(std::abs(x), std::abs(y)) / large;
-  return large * std::sqrt(S(1) + ratio * ratio);
+S change_friction(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
+                  ImpulseComponents<S>& x, const S& one, const S& two) {
+  S largest(0);
+  const Vector2<S> bounded = bounded_friction<S>(p.bound, {one, two}, p.contact.friction * x[0]);
+  const ImpulseComponents<S> next{x[0], bounded.x(), bounded.y()};
+  for (std::size_t k = 1; k < 3; ++k) {
+    const S change = next[k] - x[k];
+    if (change == S(0)) continue;
+    apply_impulse(bodies, p, k, change);
+    largest = std::max(largest, std::abs(change) * p.inverse_tangent_mass);
+  }
+  x = next;
+  return largest;
 }
 
-// [gauss-seidel]
+/// A step against the slip, with the effective mass of the stiffest tangent.
+template <std::floating_point S>
+S relax_friction(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
+                 ImpulseComponents<S>& x, const S& relaxation) {
+  if (!(p.contact.friction > S(0)) || !(p.inverse_tangent_mass > S(0))) return S(0);
+  const Vector3<S> slip = relative_velocity(bodies, p.contact);
+  return change_friction<S>(bodies, p, x,
+                            x[1] - relaxation * slip.dot(p.direction[1]) / p.inverse_tangent_mass,
+                            x[2] - relaxation * slip.dot(p.direction[2]) / p.inverse_tangent_mass);
+}
+
+/// Changes the accumulated normal impulse. If it becomes smaller, friction is projected again.
+template <std::floating_point S>
+S change_normal(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
+                ImpulseComponents<S>& x, const S& next) {
+  const S change = next - x[0];
+  if (change == S(0)) return S(0);
+  apply_impulse(bodies, p, 0, change);
+  x[0] = next;
+  const S largest = std::abs(change) * p.inverse_normal_mass;
+  return change < S(0) ? std::max(largest, change_friction<S>(bodies, p, x, x[1], x[2])) : largest;
+}
+
+/// The normal impulse that brings the normal velocity to its minimum, while the accumulated impulse
+/// stays at 0 or more.
+template <std::floating_point S>
+S relax_normal(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
+               ImpulseComponents<S>& x, const S& relaxation) {
+  const S velocity = p.direction[0].dot(relative_velocity(bodies, p.contact));
+  const S change = relaxation * (p.contact.min_velocity - velocity) / p.inverse_normal_mass;
+  return change_normal<S>(bodies, p, x, std::max(S(0), x[0] + change));
+}
+
 /// Updates the impulses of one contact. Returns the largest change of a velocity.
 ///
-/// Friction first, with the normal impulse of the previous iteration: a step against the slip with
-/// the effective mass of the stiffest tangent, projected onto the disc of radius μ times the normal
-/// impulse. The disc is convex and the relaxation below 2, so this does not increase the kinetic
-/// energy. Then the normal: the impulse that brings the normal velocity to its minimum,
-/// while the accumulated impulse stays at 0 or more. If it has become smaller, the friction is
+/// Friction first, with the normal impulse of the previous iteration, projected onto the disc of
+/// radius μ times the normal impulse. The disc is convex and the relaxation below 2, so this does
+/// not increase the kinetic energy. Then the normal. If it has become smaller, friction is
 /// projected again. This last projection can add energy: see keep_energy().
 template <std::floating_point S>
 S relax(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, ImpulseComponents<S>& x,
         const S& relaxation) {
-  S largest(0);
-  const auto update_friction = [&](const S& one, const S& two) {
-    const S most = p.contact.friction * x[0];
-    const S length = disc_length(one, two);
-    const S share = length > most ? most / length : S(1);
-    const ImpulseComponents<S> next{x[0], one * share, two * share};
-    for (std::size_t k = 1; k < 3; ++k) {
-      const S change = next[k] - x[k];
-      if (change == S(0)) continue;
-      apply_impulse(bodies, p, k, change);
-      largest = std::max(largest, std::abs(change) * p.inverse_tangent_mass);
-    }
-    x = next;
-  };
-  if (p.contact.friction > S(0) && p.inverse_tangent_mass > S(0)) {
-    const Vector3<S> slip = relative_velocity(bodies, p.contact);
-    update_friction(x[1] - relaxation * slip.dot(p.direction[1]) / p.inverse_tangent_mass,
-                    x[2] - relaxation * slip.dot(p.direction[2]) / p.inverse_tangent_mass);
-  }
-  const S velocity = p.direction[0].dot(relative_velocity(bodies, p.contact));
-  const S next = std::max(
-      S(0), x[0] + relaxation * (p.contact.min_velocity - velocity) / p.inverse_normal_mass);
-  const S change = next - x[0];
-  if (change == S(0)) return largest;
-  apply_impulse(bodies, p, 0, change);
-  x[0] = next;
-  largest = std::max(largest, std::abs(change) * p.inverse_normal_mass);
-  if (change < S(0)) update_friction(x[1], x[2]);
-  return largest;
+  const S friction = relax_friction(bodies, p, x, relaxation);
+  return std::max(friction, relax_normal(bodies, p, x, relaxation));
 }
 
 /// One iteration over all contacts, in the order of the list (Gauss–Seidel). Returns the largest

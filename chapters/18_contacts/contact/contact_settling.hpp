@@ -10,7 +10,9 @@
 #include <limits>
 #include <vector>
 
+#include <contact/contact_block.hpp>
 #include <contact/contact_iterations.hpp>
+#include <contact/friction_pyramid.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/vector.hpp>
 
@@ -51,8 +53,8 @@ S impulse_rounding(const std::vector<RigidBody<S>>& bodies,
 ///
 /// The normal impulse would become max(0, x − w / k), with the normal velocity w above its minimum
 /// and the inverse effective mass k: no change means x ≥ 0, w ≥ 0 and x = 0 or w = 0. Friction
-/// would become the point of its disc nearest to x − s / k, with the slip s: no change means that
-/// s = 0, or that friction is on the boundary of the disc, opposite to s.
+/// would become the point of its disc (or square) nearest to x − s / k, with the slip s: no change
+/// means that s = 0, or that friction is on the boundary of the disc, opposite to s.
 /// @return between immovable bodies, how fast they close
 template <std::floating_point S>
 S contact_residual(const std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
@@ -64,11 +66,9 @@ S contact_residual(const std::vector<RigidBody<S>>& bodies, const PreparedContac
   if (!(p.contact.friction > S(0)) || !(p.inverse_tangent_mass > S(0))) return normal;
   const S one = x[1] - relative.dot(p.direction[1]) / p.inverse_tangent_mass;
   const S two = x[2] - relative.dot(p.direction[2]) / p.inverse_tangent_mass;
-  const S most = p.contact.friction * x[0];
-  const S length = disc_length(one, two);
-  const S share = length > most ? most / length : S(1);
+  const Vector2<S> next = bounded_friction<S>(p.bound, {one, two}, p.contact.friction * x[0]);
   return std::max(normal,
-                  disc_length<S>(one * share - x[1], two * share - x[2]) * p.inverse_tangent_mass);
+                  disc_length<S>(next.x() - x[1], next.y() - x[2]) * p.inverse_tangent_mass);
 }
 // [/residual]
 
@@ -114,6 +114,9 @@ SolverReport<S> iterate_until(std::vector<RigidBody<S>> bodies,
   S least = std::numeric_limits<S>::infinity();  // smallest change in these iterations
   S min_before = least;
   const std::vector<int> partners = limits.jacobi ? busiest(bodies, contacts) : std::vector<int>();
+  const std::vector<ContactBlock<S>> blocks = limits.jacobi
+                                                  ? std::vector<ContactBlock<S>>()
+                                                  : contact_blocks(bodies, contacts, limits.block);
   const auto settled = [&] {
     if (report.last_change > limits.tolerance) return false;
     if (!(report.last_change > S(0))) return true;
@@ -126,7 +129,7 @@ SolverReport<S> iterate_until(std::vector<RigidBody<S>> bodies,
   do {
     report.last_change = limits.jacobi
                              ? jacobi_iteration(bodies, contacts, impulses, partners, relaxation)
-                             : gauss_seidel_iteration(bodies, contacts, impulses, relaxation);
+                             : block_iteration(bodies, contacts, impulses, relaxation, blocks);
     ++report.iterations;
     least = std::min(least, report.last_change);
     if (report.iterations % settling_iterations != 0) continue;

@@ -14,6 +14,7 @@
 #include <contact/contact_iterations.hpp>
 #include <contact/contact_lcp.hpp>
 #include <contact/contact_settling.hpp>
+#include <contact/friction_pyramid.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/rigid_body.hpp>
@@ -35,7 +36,8 @@ namespace detail {
 template <std::floating_point S>
 std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>>& bodies,
                                                   const std::vector<BodyContact<S>>& contacts,
-                                                  bool together = false) {
+                                                  bool together = false,
+                                                  FrictionBound bound = FrictionBound::cone) {
   std::vector<PreparedContact<S>> prepared;
   for (const BodyContact<S>& c : contacts) {
     const int count = static_cast<int>(bodies.size());
@@ -51,6 +53,7 @@ std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>
       throw_invalid_argument("friction", number_text(c.friction), "must not be negative");
     }
     prepared.push_back(detail::prepared(bodies, c, together));
+    prepared.back().bound = bound;
     if (!is_finite(prepared.back().inverse_normal_mass) ||
         !is_finite(prepared.back().inverse_tangent_mass)) {
       throw_invalid_argument("bodies", std::to_string(c.a) + " and " + std::to_string(c.b),
@@ -60,7 +63,7 @@ std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>
   return prepared;
 }
 
-/// Projects impulses onto the admissible ones: no pull, friction inside its cone. An empty list
+/// Projects impulses onto the admissible ones: no pull, friction inside its bound. An empty list
 /// gives zeros.
 template <std::floating_point S>
 std::vector<ImpulseComponents<S>> clamped_impulses(const std::vector<PreparedContact<S>>& prepared,
@@ -71,10 +74,9 @@ std::vector<ImpulseComponents<S>> clamped_impulses(const std::vector<PreparedCon
     const S normal = std::max(S(0), start[i].normal);
     const S one = start[i].tangential.dot(prepared[i].direction[1]);
     const S two = start[i].tangential.dot(prepared[i].direction[2]);
-    const S length = disc_length(one, two);
-    const S most = prepared[i].contact.friction * normal;
-    const S share = length > most ? most / length : S(1);
-    impulses[i] = {normal, one * share, two * share};
+    const Vector2<S> friction =
+        bounded_friction<S>(prepared[i].bound, {one, two}, prepared[i].contact.friction * normal);
+    impulses[i] = {normal, friction.x(), friction.y()};
   }
   return impulses;
 }
@@ -157,7 +159,8 @@ SolvedContacts<S> solve_contacts(const std::vector<RigidBody<S>>& bodies,
     throw_invalid_argument("start", std::to_string(start.size()) + " impulses",
                            "must be one a contact");
   }
-  const auto prepared = detail::prepared_contacts(bodies, contacts, limits.jacobi);
+  const auto prepared =
+      detail::prepared_contacts(bodies, contacts, limits.jacobi, limits.friction_bound);
   std::vector<detail::ImpulseComponents<S>> impulses = detail::clamped_impulses(prepared, start);
   const SolverReport<S> report = detail::iterate_until(bodies, prepared, impulses, limits);
   const bool bounces = std::any_of(contacts.begin(), contacts.end(),
