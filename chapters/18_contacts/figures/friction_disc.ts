@@ -29,11 +29,16 @@ const small = { role: "muted", size: "small" } as const;
 const origin: Vec2 = [0, 0];
 const point = ([x = 0, y = 0]: readonly number[]): Vec2 => [x, y];
 
-function disc(scene: Scene, { limit }: Output): void {
+function disc(scene: Scene, { limit, wanted }: Output): void {
+  const down = (wanted[1] ?? 0) > 0; // where no other label is
   scene.line([-EDGE, 0], [EDGE, 0], { role: "muted", width: 1 });
   scene.line([0, -EDGE], [0, EDGE], { role: "muted", width: 1 });
   scene.ball(origin, limit, { role: "surface", fill: 0.2 });
-  scene.label([0, limit], "μ · normal impulse", { ...small, anchor: "middle", offset: [0, -6] });
+  scene.label([0, down ? -limit : limit], "μ · normal impulse", {
+    ...small,
+    anchor: "middle",
+    offset: [0, down ? 16 : -6],
+  });
 }
 
 function others(scene: Scene, output: Output): void {
@@ -61,7 +66,7 @@ function others(scene: Scene, output: Output): void {
       role: "miss",
       size: "small",
       anchor: "middle",
-      offset: [0, (output.clamped_change[1] ?? 0) < (output.after[1] ?? 0) ? 18 : -10],
+      offset: [0, (output.by_axis[1] ?? 0) < 0 ? -10 : 18],
     });
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <contact/contact_lcp.hpp>
 #include <contact/figure.hpp>
+#include <contact/two_contacts.hpp>
 #include <cstddef>
 #include <vector>
 
@@ -77,10 +78,11 @@ Problem make(const Input& in, Output& out) {
     for (std::size_t k = 0; k < 2; ++k) problem.a[i][k] = matrix[i][k];
     problem.b[i] = contact::contact_velocity(bodies, contacts[i]);
   }
-  const auto solved = contact::solve_complementarity<double>(matrix, {problem.b[0], problem.b[1]});
+  const auto solved = contact::solve_two_contacts<double>(
+      {matrix[0][0], matrix[0][1], matrix[1][1]}, problem.b[0], problem.b[1]);
   if (solved) {
-    out.impulses = {(*solved)[0], (*solved)[1]};
-    out.which = ((*solved)[0] > 0 ? 1 : 0) + ((*solved)[1] > 0 ? 2 : 0);
+    out.impulses = {solved->first, solved->second};
+    out.which = double(static_cast<int>(solved->pushes));
   }
   return problem;
 }
@@ -124,7 +126,8 @@ void iterate(const Problem& problem, const Input& in, Output& out) {
       x[Eigen::Index(i)] = updated(problem, i, x, in.relaxation);
       out.gauss_seidel[2 * n + i + 1] = x;
     }
-    y = {updated(problem, 0, y, in.share), updated(problem, 1, y, in.share)};
+    const Point alone{updated(problem, 0, y, 1), updated(problem, 1, y, 1)};
+    y += (alone - y) * in.share;
     out.jacobi[n + 1] = y;
   }
 }

@@ -82,7 +82,7 @@ function plane(scene: Scene, { shown }: Input, output: Output): void {
   scene.face([inPlane(0, LOW), inPlane(HIGH, LOW), inPlane(HIGH, 0), inPlane(0, 0)], pulls);
   scene.line(inPlane(LOW, 0), inPlane(HIGH, 0), axis);
   scene.line(inPlane(0, LOW), inPlane(0, HIGH), axis);
-  scene.label([HIGH, LOW], "x₁, N·s", { ...small, anchor: "end", offset: [0, 15] });
+  scene.label([HIGH, 0], "x₁, N·s", { ...small, anchor: "end", offset: [0, -6] });
   scene.label([LOW, HIGH], "x₂, N·s", { ...small, offset: [0, -6] });
   for (const k of [1, 2]) {
     scene.line([k, -0.04], [k, 0.04], axis);

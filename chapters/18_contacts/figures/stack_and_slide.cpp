@@ -169,7 +169,8 @@ void slide(const Input& in, Output& out) {
   std::vector<Body> bodies{ground(), block(mass, nowhere, Vector(in.speed, 0, 0))};
   std::size_t sample = 0;
   out.velocity = in.speed;
-  for (int s = 0; sample < samples || out.distance == 0; ++s) {
+  bool rests = false;
+  for (int s = 0; sample < samples || !rests; ++s) {
     const double before = bodies[1].velocity.x(), from = bodies[1].position.x(), now = s * h;
     // [slide-step]
     fall(bodies, h);
@@ -195,7 +196,10 @@ void slide(const Input& in, Output& out) {
       out.friction_impulse = solved.impulses[0].tangential.x();
     }
     out.by_mean += (before + after) / 2 * h;
-    if (out.distance == 0 && !(after > 0)) out.distance = to;
+    if (!rests && !(after > 0)) {
+      rests = true;
+      out.distance = to;
+    }
     if (now > 400) break;
   }
 }

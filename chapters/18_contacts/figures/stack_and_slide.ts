@@ -134,8 +134,10 @@ function stack(scene: Scene, output: Output): void {
 function sinking(scene: Scene, { time }: Input, { sunk }: Output): void {
   const { left, right, bottom, top } = CURVE;
   const most = Math.max(...sunk);
-  // A power of ten that holds them.
-  const scale = [1e-4, 1e-3, 1e-2, 0.1, 1, 10].find((size) => size >= most) ?? 100;
+  // A round number that holds them.
+  const scale =
+    [1e-4, 1e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20].find((size) => size >= most) ??
+    50;
   const at = (t: number, y: number): Vec2 => [
     left + ((right - left) * t) / LAST,
     top - ((top - bottom) * between(-0.1, y / scale, 1)) / 1.05,
@@ -208,9 +210,9 @@ function row(
   positions: readonly number[],
   velocities: readonly number[],
 ): void {
-  const metre = 1.25;
+  const metre = 1.9;
   scene.line([0.2, y - metre * radius], [7.8, y - metre * radius], { role: "surface", width: 2 });
-  scene.label([0.2, y + 0.9], name, { role });
+  scene.label([0.2, y + 1], name, { role });
   for (let i = 0; i < balls; i++) {
     const x = 4 + metre * (positions[i] ?? 0);
     if (x > 0 && x < 8) scene.ball([x, y], metre * radius, { role, fill: 0.35 });
@@ -218,7 +220,7 @@ function row(
     if (time < 1) continue;
     const at = 4 + metre * 2 * radius * (i - (balls - 1) / 2);
     if (Math.abs(velocity) > 1e-9)
-      scene.arrow([at, y + 0.45], [at + 0.55 * velocity, y + 0.45], { role: "ink", width: 2 });
+      scene.arrow([at, y + 0.55], [at + 0.6 * velocity, y + 0.55], { role: "ink", width: 2 });
     scene.label([at, y - metre * radius], pretty(velocity, 2), {
       role: "ink",
       size: "small",

@@ -6,6 +6,7 @@
 #include <contact/contact_solver.hpp>
 #include <contact/figure.hpp>
 #include <contact/sine_cosine.hpp>
+#include <contact/two_contacts.hpp>
 #include <cstddef>
 #include <vector>
 
@@ -124,6 +125,7 @@ void solve(Method method, Box& box, const Input& in) {
     for (const Vector& p : points) all.push_back(contact_at(box, p, in));
     contact::SolverSettings<double> symmetric;
     symmetric.jacobi = true;
+    symmetric.iterations = 400;
     box.bodies = contact::solve_contacts(box.bodies, all, {}, symmetric).bodies;
   }
   // [/methods]
@@ -185,7 +187,6 @@ void both_feet(const Input& in, Output& out) {
   const Box box = at_impact(in);
   const auto at = corners_of(box);
   Contacts contacts;
-  std::vector<double> constant;
   for (std::size_t i = 0; i < feet; ++i) {
     const auto c = contact_at(box, at[i], in);
     const auto k = static_cast<Eigen::Index>(i);
@@ -193,11 +194,11 @@ void both_feet(const Input& in, Output& out) {
     out.before[k] = contact::contact_velocity(box.bodies, c);
     out.lever_arms[k] = at[i].x() - box.bodies[0].position.x();
     out.b[k] = out.before[k] - c.min_velocity;
-    constant.push_back(out.b[k]);
   }
-  const auto x = contact::solve_complementarity<double>(
-      contact::inverse_effective_mass_matrix(box.bodies, contacts), constant);
-  if (x) out.impulses = {(*x)[0], (*x)[1]};
+  const auto matrix = contact::inverse_effective_mass_matrix(box.bodies, contacts);
+  const auto x = contact::solve_two_contacts<double>({matrix[0][0], matrix[0][1], matrix[1][1]},
+                                                     out.b[0], out.b[1]);
+  if (x) out.impulses = {x->first, x->second};
 }
 
 }  // namespace
