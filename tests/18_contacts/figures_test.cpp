@@ -92,9 +92,9 @@ TEST_CASE("the figure's box falls in mirror images if tilt, velocity and list ar
     const two_feet::Output one = two_feet::compute(in), other = two_feet::compute(mirrored);
     INFO("box " << i);
     for (const std::size_t m : {0U, 2U}) {
-      CHECK(std::abs(one.angular_velocity[m] + other.angular_velocity[m]) <= 1e-9);
-      CHECK(std::abs(one.after[2 * m] - other.after[2 * m + 1]) <= 1e-9);
-      CHECK(std::abs(one.after[2 * m + 1] - other.after[2 * m]) <= 1e-9);
+      CHECK(std::abs(one.angular_velocity[m] + other.angular_velocity[m]) <= 1e-8);
+      CHECK(std::abs(one.after[2 * m] - other.after[2 * m + 1]) <= 1e-8);
+      CHECK(std::abs(one.after[2 * m + 1] - other.after[2 * m]) <= 1e-8);
     }
   }
 }
@@ -107,7 +107,7 @@ TEST_CASE("the figure's impact of all contacts at once adds no energy and leaves
     INFO("box " << i);
     CHECK(out.energy[2] <= 1 + 1e-12);
     // A corner above the ground may approach it.
-    if (in.tilt == 0) CHECK(std::min(out.after[4], out.after[5]) >= -1e-9);
+    if (in.tilt == 0) CHECK(std::min(out.after[4], out.after[5]) >= -1e-8);
     CHECK(out.sunk[2] <= 1e-3);
   }
 }
@@ -124,8 +124,8 @@ TEST_CASE("the impulses that the figure gives for both feet are what its box get
         (out.lever_arms[0] * out.impulses[0] + out.lever_arms[1] * out.impulses[1]) / out.inertia;
     for (const int k : {0, 1}) {
       const double velocity = up + turn * out.lever_arms[k];
-      CHECK(std::abs(velocity - out.after[4 + std::size_t(k)]) <= 1e-9);
-      CHECK(std::abs(velocity - in.restitution * 3) <= 1e-9);
+      CHECK(std::abs(velocity - out.after[4 + std::size_t(k)]) <= 1e-8);
+      CHECK(std::abs(velocity - in.restitution * 3) <= 1e-8);
     }
   }
 }
@@ -306,4 +306,14 @@ TEST_CASE("the friction that the figure draws is the nearest point of the disc")
     }
   }
   CHECK(slid > generators::tried(500));
+}
+
+TEST_CASE("the goals of the questions are missed where the figures begin, and can be reached") {
+  CHECK(two_feet::compute({0.4, 0, 0, 0, 0, 0.12}).closes == 0);
+  CHECK(two_feet::compute({0, 0, 0, 0, 0, 0.12}).closes == 1);
+  CHECK(two_feet::compute({1, 0, 0, 0, 0, 0.12}).closes == 0);
+  CHECK(iterations::compute({-1.2, 0.9, -2.5, 0.4, {0, 0}, 1, 0.5, 3}).slow == 0);
+  CHECK(iterations::compute({-0.1, 0.05, -2.5, 0.4, {0, 0}, 1, 0.5, 3}).slow == 1);
+  CHECK(stack_and_slide::compute(stack(8, 4, 0)).warmed == 0);
+  CHECK(stack_and_slide::compute(stack(8, 10, 1)).warmed == 1);
 }

@@ -403,7 +403,7 @@ export default defineFigure<Input, Output>({
         ? `One pair after the other ends after ${pretty(output.collisions)} collisions. All contacts at once give other velocities, with the same momentum: a rigid row does not determine them.`
         : "Both give the same velocities.";
     const needed = output.needed < 0 ? "more than 2,000" : pretty(output.needed);
-    const start = warm === 1 ? "a warm start" : "a start from 0";
+    const start = warm >= 0.5 ? "a warm start" : "a start from 0";
     return `With ${pretty(iterations)} iterations a step and ${start}, the top of ${pretty(output.boxes)} boxes is ${pretty(output.sunk_now, 2)} m too low after ${pretty(time, 3)} s. From 0, a residual of 10⁻⁹ m/s takes ${needed} iterations.`;
   },
 });

@@ -32,7 +32,6 @@ interface Output {
   box: readonly number[];
   angle: readonly number[];
   sunk: readonly number[];
-  closes: number;
   alike: number;
 }
 
@@ -230,9 +229,10 @@ export default defineFigure<Input, Output>({
     const turn = Math.abs(output.angular_velocity[0] ?? 0);
     const [left = 0, right = 0] = output.after;
     const first = SIDES[right_first === 1 ? 1 : 0];
-    const closing = output.closes
-      ? ` and leaves the ${SIDES[left < right ? 0 : 1]} corner moving into the ground with ${pretty(-Math.min(left, right), 3)} m/s`
-      : "";
+    const closing =
+      Math.min(left, right) < -1e-9
+        ? ` and leaves the ${SIDES[left < right ? 0 : 1]} corner moving into the ground with ${pretty(-Math.min(left, right), 3)} m/s`
+        : "";
     return `The box arrives with 3 m/s and e = ${e}. One contact after the other, the ${first} corner first, makes it rotate with ${pretty(turn, 3)} rad/s${closing}; one contact alone makes it rotate with ${pretty(Math.abs(output.angular_velocity[1] ?? 0), 3)} rad/s; all at once leaves ${pretty(Math.abs(output.angular_velocity[2] ?? 0) < 1e-9 ? 0 : Math.abs(output.angular_velocity[2] ?? 0), 3)} rad/s.`;
   },
 });
