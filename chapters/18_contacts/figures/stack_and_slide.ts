@@ -68,7 +68,7 @@ const TIME = { left: 0.6, right: 7.4, y: 0.6 } as const;
 /** The stack: its middle, the ground, world units for a metre. */
 const BOXES = { x: 1.2, ground: 1.6, metre: 0.96, half: 0.45, bar: 2.1 } as const;
 /** Curves over time: where 0 is, height, and right end. */
-const CURVE = { left: 4.6, right: 7.4, bottom: 1.7, top: 5.6 } as const;
+const CURVE = { left: 4.95, right: 7.4, bottom: 2.2, top: 5.6 } as const;
 /** The path of the box that slides. */
 const PATH = { left: 0.8, right: 6.9, ground: 4.6, bottom: 1.5, top: 3.7 } as const;
 const ONE: Role = "miss";
@@ -210,7 +210,7 @@ function row(
   positions: readonly number[],
   velocities: readonly number[],
 ): void {
-  const metre = 1.9;
+  const metre = 2.15;
   scene.line([0.2, y - metre * radius], [7.8, y - metre * radius], { role: "surface", width: 2 });
   scene.label([0.2, y + 1], name, { role });
   for (let i = 0; i < balls; i++) {
