@@ -323,8 +323,8 @@ Polygon<S> times_power_of_two(Polygon<S> polygon, int power) {
 /// @param a, b convex, counter-clockwise, at least three vertices; of any size
 /// @param margin polygons at most this far apart are in contact, m; not negative
 /// @return no points if an argument is not finite or a polygon has fewer than three vertices
-/// @see Lecture GP3, slide "Collision point"; Dirk Gregory, *Robust Contact Creation for Physics
-/// Simulations*, GDC 2015 (for the names)
+/// @see *Game Physics – Part III*, slide "Determine collision point P"; Dirk Gregorius, *Robust
+/// Contact Creation for Physics Simulations*, GDC 2015 (for the names)
 template <FloatOrDouble S>
 ContactManifold2d<S> contact_manifold_2d(const Polygon<S>& a, const Polygon<S>& b,
                                          const S& margin) {
