@@ -2,12 +2,14 @@
 /// Bodies with shapes, and a time step: find the contacts, solve them, move the bodies.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <variant>
 #include <vector>
 
+#include <contact/contact_active_set.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/convex_shapes.hpp>
@@ -178,22 +180,109 @@ std::vector<ContactImpulse<S>> remembered(const std::vector<BodyContact<S>>& con
   return start;
 }
 
+/// The number of iterations before an active-set solve is tried.
+inline constexpr int iterations_before_exact = 100;
+
+// [solve-step]
+/// The impulses of a step: a few iterations from those of the previous step; if they have not
+/// settled, an active-set solve, which a stack needs once; and if that does not settle either, the
+/// other iterations. Of the two results, that with the smaller residual.
+template <std::floating_point S>
+SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
+                             const std::vector<BodyContact<S>>& contacts,
+                             const std::vector<ContactImpulse<S>>& start,
+                             const SolverSettings<S>& settings) {
+  SolverSettings<S> few = settings;
+  few.iterations = std::min(settings.iterations, iterations_before_exact);
+  SolvedContacts<S> solved = solve_contacts(bodies, contacts, start, few);
+  if (solved.report.settled || settings.iterations <= few.iterations) return solved;
+  const auto better = [&](const SolvedContacts<S>& other) {
+    return other.report.settled || !(other.report.residual >= solved.report.residual);
+  };
+  const int done = solved.report.iterations;
+  const auto exact = settings.friction_bound == FrictionBound::cone
+                         ? solve_active_set(bodies, contacts, solved.impulses, FrictionLaw::coulomb,
+                                            settings.tolerance)
+                         : std::nullopt;
+  if (exact && better(*exact)) solved = *exact;
+  solved.report.iterations = done;
+  if (solved.report.settled) return solved;
+  few.iterations = settings.iterations - done;
+  SolvedContacts<S> more = solve_contacts(bodies, contacts, solved.impulses, few);
+  more.report.iterations += done;
+  return better(more) ? more : solved;
+}
+// [/solve-step]
+
+// [slide]
+/// How much farther a body slides in a step than its velocity afterwards says: friction is constant
+/// while it slides, so it moves with the mean of both velocities, until it stops.
+///
+/// Only for a body whose contacts have one normal and no impact, with immovable bodies at rest, and
+/// only perpendicular to this normal: then no gap changes. Let P be the change of momentum in the
+/// plane. A body that still slides has used all friction, and slides for the whole step h. If of
+/// the largest friction impulse μ N some s is left, it stopped after the time h P / (s + P):
+/// constant friction μ N/h acted until then, and afterwards a force that balances the load; the
+/// equation of both impulses gives this time. So a box that slides to rest covers v²/(2 μ g),
+/// whatever the step.
+/// @param before with the velocity before gravity and impulses
+template <std::floating_point S>
+Vector3<S> slide_correction(const std::vector<RigidBody<S>>& before,
+                            const std::vector<RigidBody<S>>& after,
+                            const std::vector<BodyContact<S>>& contacts,
+                            const std::vector<ContactImpulse<S>>& impulses, std::size_t body,
+                            const StepSettings<S>& settings) {
+  const Vector3<S> none = Vector3<S>::Zero();
+  Vector3<S> normal = none;
+  Vector3<S> friction = none;
+  S most(0);
+  const S slow = std::sqrt(S(settings.gravity.dot(settings.gravity))) * settings.step;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const BodyContact<S>& c = contacts[i];
+    const bool is_a = index(c.a) == body;
+    if ((!is_a && index(c.b) != body) || !(impulses[i].normal > S(0))) continue;
+    const RigidBody<S>& other = before[index(is_a ? c.b : c.a)];
+    const Vector3<S> n = is_a ? c.normal : Vector3<S>(-c.normal);
+    if (other.inverse_mass > S(0) || other.velocity != none || other.angular_velocity != none ||
+        c.min_velocity > S(0) || !(contact_velocity(before, c) >= -slow) ||
+        (normal != none && normal != n)) {
+      return none;
+    }
+    normal = n;
+    friction += is_a ? impulses[i].tangential : Vector3<S>(-impulses[i].tangential);
+    most += c.friction * impulses[i].normal;
+  }
+  if (normal == none) return none;
+  Vector3<S> slower = before[body].velocity - after[body].velocity;
+  slower -= normal * normal.dot(slower);
+  const S change = before[body].mass * std::sqrt(S(slower.dot(slower)));
+  const S rest = std::max(S(0), most - std::sqrt(S(friction.dot(friction))));
+  if (!(change > S(0))) return none;
+  const bool slides = !(rest > S(0x1p-30) * most);
+  const S time = slides ? settings.step : settings.step * (change / (rest + change));
+  return slower * (time / S(2));
+}
+// [/slide]
+
 }  // namespace detail
 
 // [step]
 /// A time step: gravity changes the velocities, contact impulses correct them, and the bodies move
-/// with the corrected velocities.
+/// with the corrected velocities; those that slide on immovable ones move as far as constant
+/// friction lets them (detail::slide_correction()).
 ///
 /// The angular momentum of a body without contacts is conserved: its angular velocity follows from
 /// its orientation. Penetration, from the start or by rounding, is not corrected, and does not
 /// grow.
 /// @param memory of the previous step, replaced by that of this step; empty for the first step
-/// @return how the solver ended
+/// @return how the solver ended: not `settled` if the impulses are only an approximation
 template <std::floating_point S>
 SolverReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>& memory,
                               const StepSettings<S>& settings = {}) {
+  std::vector<RigidBody<S>> before;
   std::vector<RigidBody<S>> motions;
   for (ShapedBody<S>& body : bodies) {
+    before.push_back(body.motion);
     if (body.motion.inverse_mass > S(0)) {
       body.motion.velocity += settings.gravity * settings.step;
     }
@@ -201,12 +290,16 @@ SolverReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>&
   }
   const std::vector<BodyContact<S>> contacts = find_contacts(bodies, settings);
   const auto start = detail::remembered(contacts, memory, settings.margin);
-  const SolvedContacts<S> solved = solve_contacts(motions, contacts, start, settings.solver);
+  const SolvedContacts<S> solved = detail::solve_step(motions, contacts, start, settings.solver);
   memory = {contacts, solved.impulses};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     ShapedBody<S>& body = bodies[i];
     body.motion = solved.bodies[i];
     body.motion.position += body.motion.velocity * settings.step;
+    if (body.motion.inverse_mass > S(0)) {
+      body.motion.position +=
+          detail::slide_correction(before, solved.bodies, contacts, solved.impulses, i, settings);
+    }
     const Vector3<S> angular_velocity = body.motion.angular_velocity;
     if (body.motion.inverse_mass == S(0) || angular_velocity == Vector3<S>::Zero()) continue;
     const Vector3<S> momentum = body.motion.inertia * angular_velocity;
