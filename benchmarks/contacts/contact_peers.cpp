@@ -246,15 +246,9 @@ void symmetry(const std::vector<Program>& all) {
   std::printf("\n");
 }
 
-/// Each box sinks by 1e-9 m into what is below it, because ODE knows no contact without an overlap.
-/// What a program does about so small an overlap is slower than 1e-6 m/s.
-Scene pressed(Scene scene) {
-  double sunk = 0;
-  for (peers::Box& box : scene.boxes) box.centre[2] -= sunk += 1e-9;
-  return scene;
-}
 /// The largest speed after the first step of boxes that should stay at rest: nothing is known of
-/// earlier impulses, so it is the residual of the solver.
+/// earlier impulses, so it is the residual of the solver. ODE's exact solver gives up on the
+/// redundant contacts of two boxes with friction ("LCP internal error"), and they fall freely.
 double first_residual(const Program& program, const Scene& scene, int iterations) {
   const auto world = program.make(scene, iterations);
   world->step();
@@ -274,7 +268,7 @@ double time_of_first_step(const Program& program, const Scene& scene, int iterat
   return comparison::spread(times).median;
 }
 void residuals(const std::vector<Program>& all, const char* title, const Scene& scene, int runs) {
-  constexpr double wanted[] = {1e-2, 1e-3, 1e-6};
+  constexpr double wanted[] = {1e-2, 1e-3, 1e-6, 1e-9};
   std::printf(
       "%s, first step: the number of iterations or substeps (tried: powers of 2, up to 16,384) "
       "until no box is faster, and the time of that step, us\n  %-28s",
@@ -342,8 +336,8 @@ int main(int argc, char** argv) {
   if (asked("rod")) rods(all);
   if (asked("symmetry")) symmetry(all);
   if (asked("residual")) {
-    residuals(all, "ten boxes", pressed(ten_boxes()), runs);
-    residuals(all, "1000 kg on 1 kg", pressed(heavy_on_light()), runs);
+    residuals(all, "ten boxes", ten_boxes(), runs);
+    residuals(all, "1000 kg on 1 kg", heavy_on_light(), runs);
   }
   return 0;
 }
