@@ -63,12 +63,12 @@ std::size_t point_count(const Pairs& pairs) {
 }
 bool has_normal(const Pairs& pairs, const V& n) {
   return std::any_of(pairs.begin(), pairs.end(), [&n](const auto& pair) {
-    return (pair.manifold.normal - n).norm() <= 0x1p-19;
+    return (pair.manifold.normal - n).norm() <= 0x1p-18;
   });
 }
 bool all_normals(const Pairs& pairs, const V& n) {
   return std::all_of(pairs.begin(), pairs.end(), [&n](const auto& pair) {
-    return (pair.manifold.normal - n).norm() <= 0x1p-19;
+    return (pair.manifold.normal - n).norm() <= 0x1p-18;
   });
 }
 

@@ -152,9 +152,10 @@ ContactManifold<S> without_known(const std::vector<PieceManifold<S>>& kept,
 template <std::floating_point S>
 std::vector<PieceManifold<S>> outer_manifolds(const CompoundBody<S>& a, const CompoundBody<S>& b,
                                               std::vector<PieceManifold<S>> pairs, const S& step) {
-  // In units of the step, so that rounding does not change the order of points that rest.
+  // In units of rounding, so that it does not change the order of pairs that rest. A ball closer to
+  // a joint than the step is as close to both pieces.
   const auto level = [&step](const PieceManifold<S>& pair) {
-    return std::floor(least_distance(pair.manifold) / step);
+    return std::floor(least_distance(pair.manifold) / (step * flatness<S>));
   };
   std::stable_sort(pairs.begin(), pairs.end(),
                    [&level](const auto& p, const auto& q) { return level(p) < level(q); });
