@@ -151,7 +151,7 @@ KEY("iterations-for-a-micrometre") {
     settings.iterations = count;
     settings.tolerance = 0;
     const auto solved = contact::solve_contacts<double>(falling_box(), corners(), {}, settings);
-    if (-contact::contact_velocity<double>(solved.bodies, corners()[0]) <= 1e-6) return count;
+    if (-contact::contact_velocity<double>(solved.bodies, corners()[0]) <= 1e-6) return double(count);
   }
 }
 
