@@ -177,7 +177,7 @@ S hunt_crossley_depth(const HuntCrossley<S>& contact, const S& mass, const S& sp
   if (contact.exponent == ContactExponent::linear) {
     return S(std::sqrt(2.0) * std::sqrt(v) * std::sqrt(w) * (std::sqrt(m) / std::sqrt(k)));
   }
-  return S(detail::depth_by_energy(2.5, m, v, w, k));
+  return S(detail::depth_by_energy(2.5, m, v, w, k).number());
 }
 // [/hunt-crossley-depth]
 

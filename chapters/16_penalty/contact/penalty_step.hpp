@@ -292,7 +292,8 @@ bool verlet_grows_early(const SpringDamper<S>& spring, const S& mass) {
 /// r(y) = (2 y² − 8 y + 16) / (y² (4 − y)) < k m / c², or y > 4. r falls up to the root
 /// y = 2.41… of y³ − 8 y² + 40 y − 64 and rises beyond. So up to there the behaviour changes at
 /// most once.
-/// Below a = 3.3 no step grows with b < 4; at a = 9 all do with b < 2.41….
+/// No step with a < 3.3 and b < 4 grows, and all with a = 9 and b < 2.41… do; half of the upper end
+/// has a ≤ 9/4.
 template <std::floating_point S>
 S verlet_limit(const SpringDamper<S>& spring, const S& mass) {
   if (!verlet_grows_early(spring, mass)) return S(4) * (mass / spring.damping);
@@ -301,7 +302,7 @@ S verlet_limit(const SpringDamper<S>& spring, const S& mass) {
   const S high = std::min(lowest, S(S(3) * root));
   const auto scheme = PenaltyScheme::velocity_verlet;
   if (step_behaviour(scheme, spring, mass, high) != StepBehaviour::grows) return high;
-  return first_growing_step(scheme, spring, mass, std::min(S(S(1.8) * root), S(high / S(2))), high);
+  return first_growing_step(scheme, spring, mass, S(high / S(2)), high);
 }
 
 /// The limit of the classical Runge–Kutta step. With λ the larger of the two rates it is between

@@ -222,7 +222,8 @@ SpringDamper<S> spring_for_restitution(const S& stiffness, const S& mass, const 
 /// @param speed v at the first touch, m/s, 0 or more
 /// @param gravity g towards the surface, m/s², 0 or more
 /// @param depth d, m, greater than 0
-/// @return N/m
+/// @return N/m; relative error at most 5 u, without overflow and underflow, so the penetration is
+/// at most d (1 + 3 u)
 template <Scalar S>
 S stiffness_for_depth(const S& mass, const S& speed, const S& gravity, const S& depth) {
   return mass * (speed * speed / depth + S(2) * gravity) / depth;
