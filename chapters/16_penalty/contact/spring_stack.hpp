@@ -218,12 +218,17 @@ StackState<S> semi_implicit_stack_step(const SpringStack<S>& stack, const StackS
 // [implicit-stack-step]
 /// One step of implicit Euler of a stack whose springs stay attached: the forces are those of the
 /// new displacements. (M + h² K) v' = M (v + h g) − h K x, a tridiagonal system, solved from the
-/// bottom up and back in 8 n operations.
+/// bottom up and back, in a time proportional to n.
 ///
-/// The matrix has a positive diagonal that exceeds the sum of the others in its row by m_i (below,
-/// by more), and nothing positive beside it: an M-matrix, for which elimination without pivoting is
-/// stable. About the stack at rest the energy E of springs and motion falls in every step, for
-/// every h: E − E' is the energy of the differences, ½ (v' − v)·M (v' − v) + ½ (x' − x)·K (x' − x).
+/// The matrix has a positive diagonal, nothing positive beside it, and each diagonal entry exceeds
+/// the sum of the others in its row by m_i at least: an M-matrix. The elimination needs no
+/// difference: of the spring below a body its pivot keeps the part that the body below does not
+/// follow. So where all bodies start down from an unloaded stack, velocities and displacements have
+/// a relative error of at most 16 n u, whatever h.
+///
+/// About the stack at rest the energy E of springs and motion falls in every step, for every h and
+/// every stack: E − E' is the energy of the differences,
+/// ½ (v' − v)·M (v' − v) + ½ (x' − x)·K (x' − x).
 /// @param h s, greater than 0
 /// @param gravity m/s²
 template <Scalar S>
@@ -231,23 +236,23 @@ StackState<S> implicit_stack_step(const SpringStack<S>& stack, const StackState<
                                   const S& gravity) {
   const std::size_t n = stack.size();
   StackState<S> next = now;
-  std::vector<S> factor(n, S(0));  // what the row above is multiplied by
+  std::vector<S> follows(n, S(0));  // the part of the velocity above that a body takes
   std::vector<S>& v = next.velocity;
+  S below = h * h * stack.stiffness[0];
+  S held = below;
   for (std::size_t i = 0; i < n; ++i) {
     const S a = gravity + detail::spring_acceleration(stack, now.displacement, i);
     const S above = i + 1 < n ? S(h * h * stack.stiffness[i + 1]) : S(0);
-    const S below = h * h * stack.stiffness[i];
-    // h² k (1 − factor) of the body below, without the difference of two large numbers: its part
-    // of the pivot beyond h² k is what holds it.
-    const S held = i > 0 ? S(below * (S(1) - factor[i - 1])) : below;
-    const S pivot = stack.masses[i] + held + above;
-    const S right =
-        stack.masses[i] * (now.velocity[i] + h * a) + (i > 0 ? S(below * v[i - 1]) : S(0));
-    factor[i] = above / pivot;
-    v[i] = right / pivot;
+    const S own = stack.masses[i] + held;
+    const S pivot = own + above;
+    const S carried = stack.masses[i] * (now.velocity[i] + h * a);
+    v[i] = (i > 0 ? S(carried + below * v[i - 1]) : carried) / pivot;
+    follows[i] = above / pivot;
+    held = above * (own / pivot);
+    below = above;
   }
   for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n) v[i] = v[i] + factor[i] * v[i + 1];
+    if (i + 1 < n) v[i] = v[i] + follows[i] * v[i + 1];
     next.displacement[i] = now.displacement[i] + h * v[i];
   }
   return next;
