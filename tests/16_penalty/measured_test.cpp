@@ -17,10 +17,11 @@ using contact::StepRule;
 using measured_bounce::Input;
 using measured_bounce::Setting;
 
+/// As many in every build: medians of fewer depend on where the steps fall.
 std::vector<Input> drops(double least, double most) {
   generators::Random random(1);
   std::vector<Input> all;
-  for (int i = 0; i < generators::tried(160); ++i) {
+  for (int i = 0; i < 160; ++i) {
     all.push_back(measured_bounce::drop(random, -1, 2, least, most));
   }
   return all;
