@@ -7,6 +7,7 @@
 #include <cmath>
 #include <contact/hertz.hpp>
 #include <contact/hunt_crossley.hpp>
+#include <contact/soft_to_rigid.hpp>
 #include <contact/spring_stack.hpp>
 #include <limits>
 #include <vector>
@@ -263,12 +264,51 @@ inline void add_stack_step(hard_cases::Runner& runner) {
   });
 }
 
+// ---------------------------------------------------------------------------- under gravity
+
+/// How long an undamped contact lasts under gravity, 2 (π − β) / ω₀ with tan β = ω₀ v / g.
+inline void add_delay(hard_cases::Runner& runner) {
+  runner.question("delay", [](const Case& c) {
+    const Rational square = oracle::exact(c.number("stiffness")) / oracle::exact(c.number("mass"));
+    const Rational v = oracle::exact(c.number("speed"));
+    const Rational g = oracle::exact(c.number("gravity"));
+    return Json{{"class", "c"}, {"t", nearest_text([&](unsigned bits) {
+                                   const Interval rate = sqrt(Interval(square, bits));
+                                   const Interval pi = Interval::pi(bits);
+                                   if (g == 0) return pi / rate;
+                                   const Interval beta =
+                                       atan(rate * Interval(Rational(v / g), bits));
+                                   return fraction(2, 1, bits) * (pi - beta) / rate;
+                                 })}};
+  });
+  const auto method = [&runner](const char* name, auto delay) {
+    runner.method("delay", name, [delay](const Case& c, const Json& answer) {
+      return same(
+          delay(c.number("stiffness"), c.number("mass"), c.number("speed"), c.number("gravity")),
+          answer, "t");
+    });
+  };
+  method("π/ω₀",
+         [](double k, double m, double, double) { return turn * std::sqrt(m) / std::sqrt(k); });
+  method("π/ω₀, and the fall through the sag", [](double k, double m, double v, double g) {
+    return turn * std::sqrt(m / k) + 2 * m * g / k / v;
+  });
+  method("2 (π − atan(ω₀v/g))/ω₀", [](double k, double m, double v, double g) {
+    const double rate = std::sqrt(k / m);
+    return 2 * (turn - std::atan(rate * v / g)) / rate;
+  });
+  method("book", [](double k, double m, double v, double g) {
+    return contact::jump_difference(k, m, v, g).delay;
+  });
+}
+
 inline void add(hard_cases::Runner& runner) {
   add_hertz(runner);
   add_hunt_crossley(runner);
   add_pull(runner);
   add_sag(runner);
   add_stack_step(runner);
+  add_delay(runner);
 }
 
 }  // namespace hard_compliant
