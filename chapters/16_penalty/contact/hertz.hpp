@@ -90,7 +90,7 @@ inline constexpr double root_of_half = 0.7071067811865476;
 
 /// (1/2)^(2/5): the depth at which half of the energy is in the contact.
 inline double hertz_half_depth() {
-  const double root = root_of(0.5, 5);
+  static const double root = root_of(0.5, 5);
   return root * root;
 }
 
@@ -217,8 +217,9 @@ S hertz_depth_under(const HertzContact<S>& contact, const S& force) {
 /// positive terms: up to the depth at which half of the energy is in the contact, and from there.
 /// @return relative error at most 20 u of double
 inline double hertz_duration_factor() {
-  return 2 * (detail::hertz_rise(detail::hertz_half_depth()) +
-              detail::hertz_slowing(detail::root_of_half));
+  static const double factor = 2 * (detail::hertz_rise(detail::hertz_half_depth()) +
+                                    detail::hertz_slowing(detail::root_of_half));
+  return factor;
 }
 // [/hertz-duration]
 

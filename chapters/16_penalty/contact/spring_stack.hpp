@@ -243,12 +243,11 @@ StackState<S> implicit_stack_step(const SpringStack<S>& stack, const StackState<
   for (std::size_t i = 0; i < n; ++i) {
     const S a = gravity + detail::spring_acceleration(stack, now.displacement, i);
     const S above = i + 1 < n ? S(h * h * stack.stiffness[i + 1]) : S(0);
-    const S own = stack.masses[i] + held;
-    const S pivot = own + above;
+    const S pivot = stack.masses[i] + held + above;
     const S carried = stack.masses[i] * (now.velocity[i] + h * a);
     v[i] = (i > 0 ? S(carried + below * v[i - 1]) : carried) / pivot;
     follows[i] = above / pivot;
-    held = above * (own / pivot);
+    held = above * ((stack.masses[i] + held) / pivot);
     below = above;
   }
   for (std::size_t i = n; i-- > 0;) {
