@@ -102,6 +102,8 @@ TEST_CASE("third and fifth roots have a relative error of at most 3 u") {
   }
   CHECK(contact::detail::root_of(32.0, 5) == 2);
   CHECK(contact::detail::root_of(0.125, 3) == 0.5);
+  CHECK(is_root(contact::detail::hertz_half_depth, Rational(1, 4), 5, oracle::exact(kUnit)));
+  CHECK(is_root(contact::detail::root_of_half, Rational(1, 2), 2, oracle::exact(kUnit)));
 }
 
 TEST_CASE("the duration factor is 4/5 B(2/5, 1/2)") {

@@ -68,31 +68,31 @@ inline Scaled depth_by_energy(double factor, double m, double v, double w, doubl
   return {root * root, 2 * q};
 }
 
-/// The time to the depth x, ∫ ds / √(1 − s^(5/2)) from 0 to x, with y = x^(5/2) up to 1/2:
-/// x Σ (1/2)ₙ / n! yⁿ / (1 + 5 n / 2). All terms are positive and each is at most half of the one
-/// before it, so the omitted ones together are below u / 8.
-inline double hertz_rise(double x) {
-  const double y = x * x * std::sqrt(x);
+/// Σ (1/2)ₙ / n! yⁿ / (1 + 5 n / 2), for y up to 1/2. All terms are positive and each is at most
+/// half of the one before it, so the omitted ones together are below u / 8.
+constexpr double hertz_rise_sum(double y) {
   double sum = 0;
   for (int n = 52; n >= 1; --n) sum = (n - 0.5) / n * y * (1 / (1 + 2.5 * n) + sum);
-  return x * (1 + sum);
+  return 1 + sum;
 }
 
-/// The time from the speed w (in units of the first) to the greatest depth, with w² up to 1/2. By
-/// energy w² = 1 − y, so it is 4/5 w Σ (3/5)ₙ / n! w²ⁿ / (2 n + 1), like the sum above.
-inline double hertz_slowing(double w) {
+/// Σ (3/5)ₙ / n! xⁿ / (2 n + 1), for x up to 1/2, like the sum above.
+constexpr double hertz_slowing_sum(double x) {
   double sum = 0;
-  for (int n = 52; n >= 1; --n) sum = (n - 0.4) / n * (w * w) * (1 / (2.0 * n + 1) + sum);
-  return 0.8 * w * (1 + sum);
+  for (int n = 52; n >= 1; --n) sum = (n - 0.4) / n * x * (1 / (2.0 * n + 1) + sum);
+  return 1 + sum;
 }
 
 inline constexpr double root_of_half = 0.7071067811865476;
-
 /// (1/2)^(2/5): the depth at which half of the energy is in the contact.
-inline double hertz_half_depth() {
-  static const double root = root_of(0.5, 5);
-  return root * root;
-}
+inline constexpr double hertz_half_depth = 0.757858283255199;
+
+/// The time to the depth x, ∫ ds / √(1 − s^(5/2)) from 0 to x, with y = x^(5/2) up to 1/2.
+inline double hertz_rise(double x) { return x * hertz_rise_sum(x * x * std::sqrt(x)); }
+
+/// The time from the speed w (in units of the first) to the greatest depth, with w² up to 1/2. By
+/// energy w² = 1 − y.
+inline double hertz_slowing(double w) { return 0.8 * w * hertz_slowing_sum(w * w); }
 
 }  // namespace detail
 
@@ -216,10 +216,10 @@ S hertz_depth_under(const HertzContact<S>& contact, const S& force) {
 /// By energy the time is 2 ∫ dx / √(1 − x^(5/2)) from 0 to 1. It is the sum of two series of
 /// positive terms: up to the depth at which half of the energy is in the contact, and from there.
 /// @return relative error at most 20 u of double
-inline double hertz_duration_factor() {
-  static const double factor = 2 * (detail::hertz_rise(detail::hertz_half_depth()) +
-                                    detail::hertz_slowing(detail::root_of_half));
-  return factor;
+constexpr double hertz_duration_factor() {
+  constexpr double rise = detail::hertz_half_depth * detail::hertz_rise_sum(0.5);
+  constexpr double slowing = 0.8 * detail::root_of_half * detail::hertz_slowing_sum(0.5);
+  return 2 * (rise + slowing);
 }
 // [/hertz-duration]
 
@@ -269,7 +269,7 @@ struct HertzMoment {
 /// term, so the first term's root is above theirs and the iterates fall to it; that start is off by
 /// at most an eighth, and five steps square this below u.
 inline HertzMoment hertz_moment(double time) {
-  const double half = hertz_half_depth();
+  constexpr double half = hertz_half_depth;
   if (time <= hertz_rise(half)) {
     double x = std::min(time, half);
     for (int i = 0; i < 6; ++i) {
