@@ -164,17 +164,22 @@ HertzContact<S> hertz_contact(const S& radius, const ElasticSolid<S>& ball,
 }
 
 /// Hertz's contact of two balls: that of a ball with the radius 1 / (1 / r₁ + 1 / r₂) on a
-/// half-space.
+/// half-space. The same for the balls in the other order.
 /// @param first_radius, second_radius m, greater than 0
 /// @throws std::invalid_argument as above
 template <std::floating_point S>
 HertzContact<S> hertz_contact(const S& first_radius, const ElasticSolid<S>& first,
                               const S& second_radius, const ElasticSolid<S>& second) {
+  require_finite("first_radius", first_radius);
   require_finite("second_radius", second_radius);
+  if (!(first_radius > S(0))) {
+    throw_invalid_argument("first_radius", number_text(first_radius), "must be greater than 0");
+  }
   if (!(second_radius > S(0))) {
     throw_invalid_argument("second_radius", number_text(second_radius), "must be greater than 0");
   }
-  return hertz_contact(S(first_radius / (S(1) + first_radius / second_radius)), first, second);
+  const auto [small, large] = std::minmax(first_radius, second_radius);
+  return hertz_contact(S(small / (S(1) + small / large)), first, second);
 }
 // [/hertz-stiffness]
 
