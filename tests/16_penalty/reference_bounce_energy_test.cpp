@@ -173,6 +173,17 @@ TEST_CASE("both forms of Verlet's step bounce within the same bounds, and reach 
   CHECK(gains > generators::tried(40));
 }
 
+TEST_CASE("a bounce of explicit Euler's steps is not a power of the area factor") {
+  const auto spring = contact::spring_damper(3.61, 0.0);  // a = 1.9²
+  contact::PenaltyState<double> state{0.5, 1};
+  while (state.penetration >= 0)
+    state = contact::penalty_step(PenaltyScheme::explicit_euler, state, spring, 1.0, 1.0, 0.0);
+  const double energy = state.approach * state.approach;
+  const double factor = contact::step_area_factor(PenaltyScheme::explicit_euler, spring, 1.0, 1.0);
+  CHECK(energy > 3 * factor * factor);
+  CHECK(energy < 0.9 * factor * factor * factor);
+}
+
 TEST_CASE("without a damper three schemes multiply the energy by the area factor, exactly") {
   Random random(1655);
   for (int i = 0; i < generators::tried(500); ++i) {

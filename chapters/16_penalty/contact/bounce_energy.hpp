@@ -27,11 +27,12 @@ S bounce_growth(const SpringDamper<S>& spring, const S& mass, const S& h) {
 /// − 1). Otherwise a second step gives the velocity −((a − 1) − a (a − 2) σ) v, and it has left, as
 /// the overlap is linear in σ and negative at both ends. Both velocities are linear in σ, so the
 /// extreme values are at the ends, σ = 0 and σ = 1 / (a − 1), and they are reached.
-/// @param mass kg, greater than 0
-/// @param h s, greater than 0
+///
 /// Both forms of Verlet's step have the same bounds: between two forces they move the body by h v
 /// as well, so velocities between the forces and positions at them are those of semi-implicit
 /// Euler.
+/// @param mass kg, greater than 0
+/// @param h s, greater than 0
 /// @note So the stability limit a = 4 is no limit for the energy: there a bounce multiplies it by
 /// up to 9. The bounds do not hold with a damper, which removes energy in addition.
 template <Scalar S>
@@ -71,7 +72,9 @@ S mean_bounce_energy_factor(const SpringDamper<S>& spring, const S& mass, const 
 /// Without a damper it is 1 for semi-implicit Euler and both forms of Verlet's step. Explicit Euler
 /// (1 + a), implicit Euler (1 / (1 + a)) and Runge–Kutta (1 − a³ / 72 + a⁴ / 576) then rotate and
 /// scale the plane of ω₀ d and v, so the energy of spring and motion is multiplied by exactly this
-/// factor, whatever the state: a bounce of n such steps by its n-th power.
+/// factor, whatever the state.
+/// @note A bounce of n steps multiplies the kinetic energy by the n-th power only roughly: its
+/// first and last overlap begin and end within a step, where the body is free for a part of it.
 /// @param mass kg, greater than 0
 /// @param h s, greater than 0
 template <Scalar S>

@@ -321,9 +321,9 @@ S runge_kutta_limit(const SpringDamper<S>& spring, const S& mass) {
 }  // namespace detail
 
 // [step-limit]
-/// The stability limit: the smallest step for which step_behaviour() is `grows`. Every shorter step
-/// decays, or stays bounded without a damper. 0: with explicit Euler and without a damper every
-/// step grows. ∞: no step does.
+/// The stability limit: the greatest lower bound of the steps for which step_behaviour() is
+/// `grows`. Every shorter step decays, or stays bounded without a damper; the limit itself may grow
+/// or stay bounded. 0: with explicit Euler and without a damper every step grows. ∞: no step does.
 ///
 /// Semi-implicit Euler: 4 m / (c + √(c² + 4 k m)), which is 2 √(m / k) without a damper; a damper
 /// reduces it. Explicit Euler: c / k while c² ≤ 4 k m, else 4 m / (c + √(c² − 4 k m)).
@@ -332,7 +332,7 @@ S runge_kutta_limit(const SpringDamper<S>& spring, const S& mass) {
 /// the exact decision brackets it between neighbouring numbers of the type. Without a damper it is
 /// 2 √(m / k) and 2 √2 √(m / k).
 /// @note Velocity Verlet, damped below ζ = 0.52…, has longer steps that do not grow: the limit is
-/// the smallest step that does. Above that ratio it is 4 m / c.
+/// where the first range of steps that do begins. Above that ratio it is 4 m / c.
 /// @param mass kg, greater than 0
 /// @return s; relative error at most 8 u if k, m and c² are from 1e-120 to 1e120 (in double; 1e-15
 /// to 1e15 in float)
@@ -369,8 +369,9 @@ struct EnergyFactor {
 ///
 /// v² + ω₀² d² − h ω₀² d v is an invariant of the steps. At the first step with an overlap, d is
 /// between 0 and h v, so the invariant is between (1 − a/4) v² and v². The same holds for the speed
-/// after the last step with an overlap. The extreme values belong to an overlap of h v / 2 at
-/// the first or at the last step. The penetration is at most v √(m / k) / √(1 − a/4).
+/// after the last step with an overlap. Only an overlap of h v / 2 at the first or at the last step
+/// can give the extreme values, and for most a no bounce reaches them: with a = 1 every bounce
+/// keeps its energy. The penetration is at most v √(m / k) / √(1 − a/4).
 /// @param mass kg, greater than 0
 /// @param h s, greater than 0 and below step_limit()
 /// @note The bounds do not hold with a damper, which removes energy in addition.
@@ -380,9 +381,10 @@ EnergyFactor<S> stepped_energy_factor(const SpringDamper<S>& spring, const S& ma
   return {least, S(1) / least};
 }
 
-/// The longest step with which one such impact changes the kinetic energy by at most the fraction
-/// ε: √(4 ε m / ((1 + ε) k)). An impact takes about π / √a steps, so half the ε takes √2 times as
-/// many.
+/// A step with which every such impact changes the kinetic energy by at most the fraction ε:
+/// √(4 ε m / ((1 + ε) k)), the longest for which the bounds say so. With shorter steps it does not
+/// change more, nor with some longer ones. An impact takes about π / √a steps, so for half the ε it
+/// needs √2 times as many.
 /// @param mass kg, greater than 0
 /// @param share ε, greater than 0
 /// @return s; relative error at most 6 u
