@@ -272,6 +272,39 @@ void compare_steps(const std::vector<Program>& all, const std::vector<double>& h
   std::printf("\n");
 }
 
+// ------------------------------------------------------------------------------ the same steps?
+
+/// How far the heights of the other programs are from those of the book's implicit Euler, whose
+/// steps ODE's are by its formulas.
+void compare_steps_with_implicit_euler(const std::vector<Program>& all,
+                                       const std::vector<double>& heights) {
+  std::printf("largest difference from the book's implicit Euler after any step, all grounds, m\n");
+  std::printf("  %-34s", "");
+  for (const Pace& pace : paces) std::printf(" %10s", pace.name);
+  std::printf("\n");
+  for (const Program& program : all) {
+    if (!program.drop || program.name.starts_with("Contact Hours")) continue;
+    std::printf("  %-34s", program.name.c_str());
+    for (const Pace& pace : paces) {
+      double largest = 0;
+      for (const Ground& ground : grounds) {
+        const Scene scene = scene_of(ground, pace.step);
+        for (const double height : heights) {
+          const int steps = steps_in(seconds_of_a_drop, scene.step);
+          const auto book = drop_by(PenaltyScheme::implicit_euler, scene, height, steps);
+          const auto other = program.drop(scene, height, steps);
+          for (std::size_t i = 0; i < book.size(); ++i)
+            largest = std::max(largest, std::abs(book[i] - other[i]));
+        }
+      }
+      std::printf(" %10.1e", largest);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+  std::printf("\n");
+}
+
 // --------------------------------------------------------------------------------------- stacks
 
 constexpr Ground stack_ground{"ten balls", 1e4, 0.25};
@@ -357,6 +390,7 @@ int main(int argc, char** argv) {
   const auto all = programs();
   compare_drops(all, heights_of(count));
   compare_steps(all, heights_of(std::min<std::size_t>(count, 8)));
+  compare_steps_with_implicit_euler(all, heights_of(count));
   compare_stacks(all);
 #ifdef CONTACT_HAS_ODE
   const auto messages = peers::ode_messages();

@@ -3,7 +3,6 @@
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_report.hpp>
 #include <contact/scene/scene_file.hpp>
-#include <contact/scene/scene_runs.hpp>
 
 #include "../commands.hpp"
 #include "../terminal/terminal.hpp"
@@ -42,9 +41,7 @@ int run(const Words& words) {
     note(error.what());
     return exit_not_passed;
   }
-  Plan plan = plan_scene(scene, options);
-  if (const auto refusal = scenes::run_refusal(scene, plan))
-    plan.notices.push_back("This plan cannot be simulated: " + *refusal + ".");
+  const Plan plan = plan_scene(scene, options);
   std::vector<scenes::MeasuredEffect> measured;
   if (words.measure) {
     ProgressLine progress(1);

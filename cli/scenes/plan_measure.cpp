@@ -123,25 +123,16 @@ MeasuredHorizon measured_horizon(const Scene& scene, const Plan& plan, double se
 std::vector<MeasuredEffect> measure_effects(const Scene& scene, const Plan& plan,
                                             const PlanOptions& options, ProgressLine& progress) {
   std::vector<MeasuredEffect> all;
-  const std::optional<std::string> refusal = scenes::run_refusal(scene, plan);
   for (const Effect effect : all_effects) {
     if (effect == Effect::step_size) continue;
     MeasuredEffect& measured = all.emplace_back();
     measured.effect = effect;
     progress.tell(0, "measuring " + std::string(effect_name(effect)));
     if (effect == Effect::horizon) {
-      if (refusal)
-        measured.refused = *refusal;
-      else
-        measured.horizon = measured_horizon(scene, plan, 2);
+      measured.horizon = measured_horizon(scene, plan, 2);
       continue;
     }
     const Plan other = turned_round(scene, plan, options, effect);
-    const auto other_refusal = scenes::run_refusal(scene, other);
-    if (refusal || other_refusal) {
-      measured.refused = refusal ? *refusal : *other_refusal;
-      continue;
-    }
     {
       const auto as_planned = scenes::make_run(scene, plan);
       const auto otherwise = scenes::make_run(scene, other);

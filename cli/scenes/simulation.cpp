@@ -227,17 +227,6 @@ class Simulation {
 
 SimulateOutcome simulated(const SimulateOptions& options, Planned planned, ProgressLine& progress,
                           std::size_t piece) {
-  if (const auto refusal = scenes::run_refusal(planned.scene, planned.plan)) {
-    Outcome outcome;
-    outcome.note(Style(stderr).bad("contact: ") + planned.scene.name +
-                 " cannot be simulated: " + *refusal);
-    outcome.json = {{"format", "contact-simulate/1"},
-                    {"scene", planned.scene.name},
-                    {"end", "refused"},
-                    {"trouble", *refusal}};
-    outcome.code = exit_trouble;
-    return outcome;
-  }
   return Simulation(options, std::move(planned.scene), planned.plan, progress, piece).go();
 }
 

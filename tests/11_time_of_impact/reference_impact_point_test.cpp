@@ -32,7 +32,7 @@ TEST_CASE("the point of impact is on both bodies, and the normal leads from B to
           const TranslatingImpact found = translating_impact(a, u, b, v);
           if (!found.meets || found.t == 0) return;
           ++points;
-          const contact::ImpactPoint at = contact::impact_point(found, a, u, b, v);
+          const contact::TouchPoint at = contact::impact_point(found, a, u, b, v);
           INFO("pair " << i << ", kinds " << kind_a << " and " << kind_b);
           const contact::Sphere<double> point{at.point, 0};
           const double size = 1e-9 * (1 + u.norm() + v.norm());

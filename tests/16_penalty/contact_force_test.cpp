@@ -98,7 +98,9 @@ void check_ball(const Sphere& ball, const Vector& velocity, const Plane& surface
     if (where) suspects.push_back({id, with(way)});
   };
   const double towards = rounded(approach);
-  const bool contact = penetration.sign() >= 0, moves = !velocity.isZero(0);
+  const bool contact = penetration.sign() >= 0;
+  // Along the normal alone, the mistakes with the whole velocity look like others.
+  const bool slides = surface.normal.cross(velocity).norm() > 1e-6;
   const bool inside = (penetration - Exact(ball.radius)).sign() > 0;
   suspect("penetration-of-the-centre", BallWay::centre, true);
   suspect("penetration-by-the-diameter", BallWay::diameter, true);
@@ -106,9 +108,9 @@ void check_ball(const Sphere& ball, const Vector& velocity, const Plane& surface
   suspect("plane-offset-added", BallWay::offset_added, surface.offset != 0);
   suspect("force-into-the-surface", BallWay::into, contact);
   suspect("approach-with-the-wrong-sign", BallWay::moving_away, contact && towards != 0);
-  suspect("speed-for-the-approach", BallWay::whole_speed, contact && moves);
-  suspect("damper-against-the-whole-velocity", BallWay::whole_damper, contact && moves);
-  suspect("force-against-the-velocity", BallWay::along_path, contact && moves);
+  suspect("speed-for-the-approach", BallWay::whole_speed, contact && slides);
+  suspect("damper-against-the-whole-velocity", BallWay::whole_damper, contact && slides);
+  suspect("force-against-the-velocity", BallWay::along_path, contact && slides);
   suspect("ball-is-pulled", BallWay::pulled, contact && towards < 0 && push.sign() == 0);
   // The penetration is off by 4 u (Σ|nᵢ cᵢ| + |k| + r), the approach by 3 u Σ|nᵢ vᵢ|, and each is
   // multiplied, added and multiplied by the normal: 4 times as much is allowed.

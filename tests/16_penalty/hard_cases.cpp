@@ -1,11 +1,13 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// The stability of steps, the damping regime, the force of a state, the stiffness for an overlap
-// and the energy after a bounce in steps are rational in the stored numbers (class (a)), as is
-// whether balls touch; a longest step, a depth under gravity and the overlap of two balls have one
-// square root (class (b)); restitution, duration, depth and force of an impact and the damper for a
-// restitution are transcendental (class (c)). Decisions must be right. A number may have a relative
-// error of 2^-40, a force and an overlap that of the terms of which they are the difference.
+// The stability of steps, the damping regime, the force of a state, the stiffness for an overlap,
+// the energy after a bounce in steps, the sag and an implicit step of a stack, and whether bodies
+// touch are rational in the stored numbers (class (a)). A longest step, a depth under gravity and
+// the overlap of two balls are roots of polynomials (class (b)). Restitution, duration, depth and
+// force of an impact, also of Hertz's, of Hunt and Crossley's and under gravity, the damper for a
+// restitution and the longest step of a stack are transcendental (class (c)). Decisions must be
+// right. A number may have a relative error of 2^-40, a force and an overlap that of the terms of
+// which they are the difference.
 #include "support/hard_cases.hpp"
 
 #include <cmath>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <contact/hertz.hpp>
 #include <contact/hunt_crossley.hpp>
+#include <contact/soft_to_rigid.hpp>
 #include <contact/spring_stack.hpp>
 #include <limits>
 #include <vector>
@@ -263,12 +264,114 @@ inline void add_stack_step(hard_cases::Runner& runner) {
   });
 }
 
+/// A step of a chain that starts unloaded, all bodies with one speed downwards: the velocities
+/// after it solve (M + h² K) v' = M (v + h g), here by elimination in the number type.
+template <class S>
+std::vector<S> chain_step(const std::vector<S>& m, const std::vector<S>& k, const S& h, const S& v,
+                          const S& g) {
+  const std::size_t n = m.size();
+  std::vector<S> diagonal(n), right(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    diagonal[i] = m[i] + h * h * (i + 1 < n ? S(k[i] + k[i + 1]) : k[i]);
+    right[i] = m[i] * (v + h * g);
+    if (i == 0) continue;
+    const S beside = h * h * k[i];
+    diagonal[i] = diagonal[i] - beside * beside / diagonal[i - 1];
+    right[i] = right[i] + beside * right[i - 1] / diagonal[i - 1];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    if (i + 1 < n) right[i] = right[i] + h * h * k[i + 1] * right[i + 1];
+    right[i] = right[i] / diagonal[i];
+  }
+  return right;
+}
+
+inline void add_implicit_chain(hard_cases::Runner& runner) {
+  runner.question("implicit chain", [](const Case& c) {
+    const auto exact = [](const std::vector<double>& all) {
+      std::vector<Rational> made;
+      for (const double x : all) made.push_back(oracle::exact(x));
+      return made;
+    };
+    const auto v = chain_step<Rational>(
+        exact(c.numbers("masses")), exact(c.numbers("stiffness")), oracle::exact(c.number("step")),
+        oracle::exact(c.number("speed")), oracle::exact(c.number("gravity")));
+    return Json{
+        {"class", "a"}, {"bottom", hard_cases::hex(v.front())}, {"top", hard_cases::hex(v.back())}};
+  });
+  const auto method = [&runner](const char* name, auto step) {
+    runner.method("implicit chain", name, [step](const Case& c, const Json& answer) {
+      const std::vector<double> got = step(c);
+      return same(got.front(), answer, "bottom") && same(got.back(), answer, "top");
+    });
+  };
+  method("elimination in float", [](const Case& c) {
+    const auto floats = [](const std::vector<double>& all) {
+      return std::vector<float>(all.begin(), all.end());
+    };
+    const auto v = chain_step<float>(floats(c.numbers("masses")), floats(c.numbers("stiffness")),
+                                     float(c.number("step")), float(c.number("speed")),
+                                     float(c.number("gravity")));
+    return std::vector<double>(v.begin(), v.end());
+  });
+  method("elimination as it stands", [](const Case& c) {
+    return chain_step<double>(c.numbers("masses"), c.numbers("stiffness"), c.number("step"),
+                              c.number("speed"), c.number("gravity"));
+  });
+  method("book", [](const Case& c) {
+    const auto stack = contact::spring_stack(c.numbers("masses"), c.numbers("stiffness"));
+    auto now = contact::unloaded(stack);
+    for (double& v : now.velocity) v = c.number("speed");
+    return contact::implicit_stack_step(stack, now, c.number("step"), c.number("gravity")).velocity;
+  });
+}
+
+// ---------------------------------------------------------------------------- under gravity
+
+/// How long an undamped contact lasts under gravity, 2 (π − β) / ω₀ with tan β = ω₀ v / g.
+inline void add_delay(hard_cases::Runner& runner) {
+  runner.question("delay", [](const Case& c) {
+    const Rational square = oracle::exact(c.number("stiffness")) / oracle::exact(c.number("mass"));
+    const Rational v = oracle::exact(c.number("speed"));
+    const Rational g = oracle::exact(c.number("gravity"));
+    return Json{{"class", "c"}, {"t", nearest_text([&](unsigned bits) {
+                                   const Interval rate = sqrt(Interval(square, bits));
+                                   const Interval pi = Interval::pi(bits);
+                                   if (g == 0) return pi / rate;
+                                   const Interval beta =
+                                       atan(rate * Interval(Rational(v / g), bits));
+                                   return fraction(2, 1, bits) * (pi - beta) / rate;
+                                 })}};
+  });
+  const auto method = [&runner](const char* name, auto delay) {
+    runner.method("delay", name, [delay](const Case& c, const Json& answer) {
+      return same(
+          delay(c.number("stiffness"), c.number("mass"), c.number("speed"), c.number("gravity")),
+          answer, "t");
+    });
+  };
+  method("π/ω₀",
+         [](double k, double m, double, double) { return turn * std::sqrt(m) / std::sqrt(k); });
+  method("π/ω₀, and the fall through the sag", [](double k, double m, double v, double g) {
+    return turn * std::sqrt(m / k) + 2 * m * g / k / v;
+  });
+  method("2 (π − atan(ω₀v/g))/ω₀", [](double k, double m, double v, double g) {
+    const double rate = std::sqrt(k / m);
+    return 2 * (turn - std::atan(rate * v / g)) / rate;
+  });
+  method("book", [](double k, double m, double v, double g) {
+    return contact::jump_difference(k, m, v, g).delay;
+  });
+}
+
 inline void add(hard_cases::Runner& runner) {
   add_hertz(runner);
   add_hunt_crossley(runner);
   add_pull(runner);
   add_sag(runner);
   add_stack_step(runner);
+  add_implicit_chain(runner);
+  add_delay(runner);
 }
 
 }  // namespace hard_compliant

@@ -31,6 +31,13 @@ bool is_weak(const Moment& at) {
                                     .sign() <= 0;
 }
 
+/// Whether ζ is at most 10: c² at most 400 k m. The steps of the given code are then stable.
+bool is_at_most_ten_times_critical(const Moment& at) {
+  return at.damping >= 0 && (Exact(at.damping) * Exact(at.damping) -
+                             Exact(400.0) * Exact(at.stiffness) * Exact(at.mass))
+                                    .sign() <= 0;
+}
+
 // ---------------------------------------------------------------- an impact
 
 /// The speed after a contact that ends at zero force, over the speed before.
@@ -51,10 +58,9 @@ BreakIt<Moment> impacts(std::string_view question) {
       .rule("every number is finite", [](const Moment& start) { return all_finite(start); })
       .rule("the stiffness is from 1 to 100,000 N/m",
             [](const Moment& start) { return is_from(start.stiffness, 1, 1e5); })
-      .rule("the damping is from 0 to 10,000 N·s/m",
-            [](const Moment& start) { return is_from(start.damping, 0, 1e4); })
       .rule("the mass is from 0.01 to 100 kg",
             [](const Moment& start) { return is_from(start.mass, 0.01, 100); })
+      .rule("the damping ratio is from 0 to 10", is_at_most_ten_times_critical)
       .rule("the penetration is 0", [](const Moment& start) { return start.penetration == 0; })
       .rule("the approach is from 0.01 to 10 m/s",
             [](const Moment& start) { return is_from(start.approach, 0.01, 10); });

@@ -149,5 +149,70 @@ TEST_CASE(
   CHECK(support::contains(said, "h = 1"));
 }
 
+TEST_CASE("both forms of Verlet's step bounce within the same bounds, and reach them") {
+  Random random(1654);
+  int gains = 0;
+  for (int i = 0; i < generators::tried(1000); ++i) {
+    const Rational a(random.integer(8, 2000), 256);
+    const auto bound = bounce_energy_factor<Rational>({a, 0}, 1, 1);
+    const Rational gap(random.integer(1, 1024), 1024);
+    for (const PenaltyScheme scheme :
+         {PenaltyScheme::velocity_verlet, PenaltyScheme::position_verlet}) {
+      PenaltyState<Rational> state{-gap - 1, 1};
+      int flying = 0;
+      for (int n = 0; n < 200 && flying < 2; ++n) {
+        state = contact::penalty_step<Rational>(scheme, state, {a, 0}, 1, 1, 0);
+        flying = state.approach < 0 && state.penetration < 0 ? flying + 1 : 0;
+      }
+      REQUIRE(flying == 2);
+      REQUIRE(state.approach * state.approach >= bound.min);
+      REQUIRE(state.approach * state.approach <= bound.max);
+      gains += state.approach * state.approach > bound.max * Rational(9, 10);
+    }
+  }
+  CHECK(gains > generators::tried(40));
+}
+
+TEST_CASE("a bounce of explicit Euler's steps is not a power of the area factor") {
+  const auto spring = contact::spring_damper(3.61, 0.0);  // a = 1.9²
+  contact::PenaltyState<double> state{0.5, 1};
+  while (state.penetration >= 0)
+    state = contact::penalty_step(PenaltyScheme::explicit_euler, state, spring, 1.0, 1.0, 0.0);
+  const double energy = state.approach * state.approach;
+  const double factor = contact::step_area_factor(PenaltyScheme::explicit_euler, spring, 1.0, 1.0);
+  CHECK(energy > 3 * factor * factor);
+  CHECK(energy < 0.9 * factor * factor * factor);
+}
+
+TEST_CASE("without a damper three schemes multiply the energy by the area factor, exactly") {
+  Random random(1655);
+  for (int i = 0; i < generators::tried(500); ++i) {
+    const Rational k(random.integer(1, 99), 7);
+    const Rational m(random.integer(1, 99), 5);
+    const Rational h(random.integer(1, 40), 10);
+    const Rational a = h * h * k / m;
+    const PenaltyState<Rational> now{Rational(random.integer(-20, 20), 3), 2};
+    const auto factor = [&](PenaltyScheme scheme) {
+      return contact::step_area_factor<Rational>(scheme, {k, 0}, m, h);
+    };
+    const auto energy = [&](const PenaltyState<Rational>& x) {
+      return Rational(m * x.approach * x.approach + k * x.penetration * x.penetration);
+    };
+    for (const PenaltyScheme scheme : {PenaltyScheme::explicit_euler, PenaltyScheme::implicit_euler,
+                                       PenaltyScheme::runge_kutta_4}) {
+      const auto next = contact::spring_step<Rational>(scheme, now, {k, 0}, m, h, 0);
+      REQUIRE(energy(next) == factor(scheme) * energy(now));
+    }
+    REQUIRE(factor(PenaltyScheme::explicit_euler) == 1 + a);
+    REQUIRE(factor(PenaltyScheme::implicit_euler) * (1 + a) == 1);
+    REQUIRE(factor(PenaltyScheme::runge_kutta_4) == 1 - a * a * a / 72 + a * a * a * a / 576);
+    for (const PenaltyScheme scheme :
+         {PenaltyScheme::semi_implicit_euler, PenaltyScheme::velocity_verlet,
+          PenaltyScheme::position_verlet}) {
+      REQUIRE(factor(scheme) == 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bounce_energy_test

@@ -78,7 +78,7 @@ double with_nodes(double mu, double first, double p, int nodes) {
   for (int j = 0; j < nodes / 2; ++j) {
     const auto turn = contact::sine_cosine(contact::detail::pi * (2 * j + 1) / (2 * nodes));
     sum += contact::detail::fourier_weight(turn, nodes, mu, first) *
-           contact::detail::pair_of_speeds(turn.cosine, largest, p);
+           contact::detail::pair_of_speeds(turn.cosine, largest / p, p);
   }
   return sum / nodes;
 }

@@ -175,6 +175,23 @@ TEST_CASE("steps of the equation of motion agree, and never pull without another
   }
 }
 
+TEST_CASE("a force that pulls the bodies apart makes them separate faster than 1/λ") {
+  // Then 1 + λ δ̇ is negative, and the force is 0 instead of a pull.
+  const HuntCrossley<double> contact{100, 1, ContactExponent::hertz};
+  contact::PenaltyState<double> state{0, 3};
+  int pulled = 0;
+  while (state.penetration >= 0) {
+    state = contact::staged_step(contact::PenaltyScheme::runge_kutta_4, state, 1e-4,
+                                 [&](double x, double v) {
+                                   const double force = contact::hunt_crossley_force(contact, x, v);
+                                   return -force / 2 - 40;
+                                 });
+    pulled += contact::would_pull(contact, state.approach);
+  }
+  CHECK(pulled > 0);
+  CHECK(state.approach < -1);
+}
+
 TEMPLATE_TEST_CASE("the force of Hunt and Crossley, and whether it would pull", "", float, double) {
   using S = TestType;
   Random random(1693);

@@ -103,6 +103,23 @@ TEST_CASE("heavily damped and stiff motions neither overflow nor leave their bou
   }
 }
 
+TEST_CASE("critical damping returns fastest in the end, except from particular starts") {
+  const auto size = [](double ratio, const PenaltyState<double>& start) {
+    const auto state =
+        contact::damped_motion(start, SpringDamper<double>{1, 2 * ratio}, 1.0, 0.0, 200.0);
+    return std::abs(state.penetration) + std::abs(state.approach);
+  };
+  for (const double ratio : {0.0, 0.5, 0.9, 1.1, 2.0, 10.0})
+    for (const auto& start : {PenaltyState<double>{1, 0}, {0, 1}, {1, -1.5}})
+      CHECK(size(ratio, start) > 10 * size(1, start));
+  // From here an overdamped body has its faster rate only.
+  const contact::PenaltyState<double> fast{1, -2 - std::sqrt(3.0)};
+  const auto soon = [&](double ratio) {
+    return contact::damped_motion(fast, SpringDamper<double>{1, 2 * ratio}, 1.0, 0.0, 5.0);
+  };
+  CHECK(std::abs(soon(2).penetration) < 0.01 * std::abs(soon(1).penetration));
+}
+
 TEST_CASE("at zero force an impact never pulls, and at zero penetration a damped one does") {
   Random random(1663);
   int pulls = 0;

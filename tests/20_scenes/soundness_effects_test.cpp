@@ -83,7 +83,6 @@ void compare_with_each_effect(const Scene& scene, double most, Compared& compare
   // From event to event there is nothing to switch on: step by step there is.
   options.step = planned.step > 0 ? planned.step : std::min(scene.duration / 128, 1.0 / 240);
   const Plan plan = contact::plan_scene(scene, options);
-  if (contact::scenes::run_refusal(scene, plan)) return;
   const double end = std::min(most, comparable_time(scene, plan));
   for (const Plan* one : {&planned, &plan}) {
     REQUIRE((one->error <= one->tolerance || may_add_up(*one)));

@@ -94,7 +94,6 @@ TEST_CASE("a stack of hulls on a box comes to rest face on face, as a stack of b
     plan_scenes::add(scene, box, 3, {0, 0, 0.125});
     plan_scenes::add(scene, shape, 2, {0.0625, 0, 0.5});
     plan_scenes::add(scene, shape, 1, {0, 0.0625, 1});
-    REQUIRE_FALSE(contact::scenes::run_refusal(scene, contact::plan_scene(scene)));
     auto run = run_of(scene);
     run->advance(1);
     for (std::size_t b = 1; b < 4; ++b) {

@@ -130,7 +130,6 @@ TEST_CASE("plates and frusta that fall obliquely onto a box come to rest level o
       plan_scenes::add(scene, contact::BoxShape{Point(2, 2, 0.5)}, 30, {0, 0, 0.5});
       plan_scenes::add(scene, shape, 1, {0, 0, 1.25});
       scene.bodies.back().angular_velocity = Point(0.5, 0.25, 0);
-      REQUIRE_FALSE(contact::scenes::run_refusal(scene, contact::plan_scene(scene)));
       auto run = run_of(scene);
       run->advance(1);
       const auto frame = contact::frame_of<double>({run->position(2), run->orientation(2)});

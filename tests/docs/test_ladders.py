@@ -12,11 +12,19 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 CHAPTERS = sorted(file.parent.name for file in ROOT.glob("chapters/*/ladder.cpp"))
 _RECOMMENDED = re.compile(r'ladder\.recommend\("([^"]+)"\)')
+_PART = re.compile(r"parts\.add\((measured_\w+)::experiment\(\)\)")
 
 
 def kept(slug: str) -> list[dict[str, Any]]:
     files = sorted((ROOT / "benchmarks" / "results").glob(f"{slug}.*.json"))
     return [json.loads(file.read_text(encoding="utf-8")) for file in files]
+
+
+def source_of(slug: str) -> str:
+    """The ladder with the text of each part that a header of the chapter's tests defines."""
+    source = (ROOT / "chapters" / slug / "ladder.cpp").read_text(encoding="utf-8")
+    header = ROOT / "tests" / slug
+    return _PART.sub(lambda part: (header / f"{part[1]}.hpp").read_text(encoding="utf-8"), source)
 
 
 def test_every_ladder_has_been_measured() -> None:
@@ -34,8 +42,7 @@ def test_a_method_that_is_declared_exact_is_never_wrong(slug: str) -> None:
 
 @pytest.mark.parametrize("slug", CHAPTERS)
 def test_the_recommended_method_is_the_one_that_the_source_names(slug: str) -> None:
-    source = (ROOT / "chapters" / slug / "ladder.cpp").read_text(encoding="utf-8")
-    named = _RECOMMENDED.findall(source)
+    named = _RECOMMENDED.findall(source_of(slug))
     assert named
     for data in kept(slug):
         assert len(named) == len({row.get("part") for row in data["methods"]}), "one a question"

@@ -136,8 +136,8 @@ inline int sign_changes(const std::vector<ExactPolynomial>& sequence, const Exac
 /// A root of a polynomial: the only one from `low` to `high`. Both are equal if the root is
 /// rational with a power of two as denominator and was met; otherwise neither is a root.
 struct ExactRoot {
-  Exact low;
-  Exact high;
+  Exact low;   ///< lower bound of the root, or the root
+  Exact high;  ///< upper bound of the root, or the root
 };
 
 /// The sign of q at a root of p.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cmath>
-#include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 #include <contact/bounded_differences.hpp>
 #include <contact/gjk_simplex.hpp>
@@ -17,7 +17,7 @@
 namespace contact {
 
 /// A contact of two translating bodies at their time of impact.
-struct ImpactPoint {
+struct TouchPoint {
   Vector3<double> point = Vector3<double>::Zero();   ///< m, where it is at that time
   Vector3<double> normal = Vector3<double>::Zero();  ///< unit vector from B to A; 0 at the start
 };
@@ -30,14 +30,15 @@ struct ImpactPoint {
 /// same mean of A's vertices, moved to the time t, is a point of its core. Of bodies that touch
 /// along an edge or a face it is one point of these. Rounded: off by 2^-40 of the displacement and
 /// some u of the coordinates, divided by the angle between features that are nearly parallel.
-/// @param found of translating_impact() for the same bodies; it must meet
+/// @param found of translating_impact() for the same bodies, whose numbers are double; it must meet
 /// @return for bodies that meet at the start, a point near a common one and no normal
 template <PolytopeCore A, PolytopeCore B>
-requires std::same_as < ScalarOf<A>,
-double > &&std::same_as<ScalarOf<B>, double> ImpactPoint impact_point(
-             const TranslatingImpact& found, const A& a, const Vector3<double>& displacement_a,
-             const B& b, const Vector3<double>& displacement_b) {
-  ImpactPoint contact;
+TouchPoint impact_point(const TranslatingImpact& found, const A& a,
+                        const Vector3<double>& displacement_a, const B& b,
+                        const Vector3<double>& displacement_b) {
+  static_assert(std::is_same_v<ScalarOf<A>, double> && std::is_same_v<ScalarOf<B>, double>,
+                "the bodies' numbers must be double");
+  TouchPoint contact;
   const auto count = static_cast<std::size_t>(found.common.count);
   if (!found.meets || count == 0) return contact;
   FourPoints<double> differences, points;

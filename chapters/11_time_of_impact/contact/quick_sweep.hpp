@@ -72,8 +72,12 @@ inline double quotient_error(const BoundedTimes& on, double t) {
 /// The axis as a unit vector from b to a: opposite to the distance at the time of the touch.
 inline Vector3<double> impact_normal(const Vector3<double>& axis, double distance, double speed,
                                      double t) {
-  if (axis == Vector3<double>::Zero()) return axis;
-  const Vector3<double> unit = normalised(axis);
+  const double square = axis.dot(axis);
+  if (square == 0 && axis == Vector3<double>::Zero()) return axis;
+  // Where no square underflows or overflows, no scaling by a power of two changes a bit.
+  const bool in_range = square > 0x1p-900 && square < 0x1p900;
+  const Vector3<double> unit =
+      in_range ? Vector3<double>(axis / std::sqrt(square)) : normalised(axis);
   const Vector3<double> zero = Vector3<double>::Zero();
   return distance + speed * t > 0 ? Vector3<double>(zero - unit) : Vector3<double>(unit + zero);
 }
@@ -93,28 +97,36 @@ class QuickIntervals {
       : error_(error), error_of_speed_(error_of_speed), doubt_(error + error_of_speed) {}
 
   // [quick-axis]
-  /// Adds axis k.
+  /// Adds axis k. Only the interval that is left by the axes before it matters: where the
+  /// projections overlap at both its ends, they overlap in between, and axis k changes nothing.
   /// @return whether it proves that the boxes are apart throughout
   bool add(std::size_t k, double distance, double speed, double extents) {
-    const double at = std::abs(distance), by = std::abs(speed);
-    if (at - by > extents + doubt_) return true;
-    if (at + by < extents - doubt_) return false;  // overlap at all times
+    const double at_begin = distance + speed * begin_low_, at_end = distance + speed * end_high_;
+    const double outside = extents + doubt_, inside = extents - doubt_;
+    if (std::min(at_begin, at_end) > outside || std::max(at_begin, at_end) < -outside) return true;
+    const bool begins = !(std::abs(at_begin) < inside), ends = !(std::abs(at_end) < inside);
+    if (!begins && !ends) return false;
+    const double by = std::abs(speed);
     if (!(by > 4 * error_of_speed_)) {
       unsure_ = true;  // another axis may still separate them
       return false;
     }
     // A quotient of numbers with errors e and f is off by at most (e + |t| f) / (speed − f).
-    const double toward = (speed < 0) == (distance < 0) ? -at : at;
-    const double share = 1 / by;
-    const double first = (toward - extents) * share, last = (toward + extents) * share;
-    const double room = 1.5 * share;
-    const double off_first = room * (error_ + std::abs(first) * error_of_speed_);
-    const double off_last = room * (error_ + std::abs(last) * error_of_speed_);
-    highest_[k] = first + off_first;
-    begin_low_ = std::max(begin_low_, first - off_first);
-    begin_high_ = std::max(begin_high_, highest_[k]);
-    end_low_ = std::min(end_low_, last - off_last);
-    end_high_ = std::min(end_high_, last + off_last);
+    const double toward = speed < 0 ? distance : -distance;
+    const double share = 1 / by, room = 1.5 * share;
+    if (begins) {
+      const double first = (toward - extents) * share;
+      const double off = room * (error_ + std::abs(first) * error_of_speed_);
+      highest_[k] = first + off;
+      begin_low_ = std::max(begin_low_, first - off);
+      begin_high_ = std::max(begin_high_, highest_[k]);
+    }
+    if (ends) {
+      const double last = (toward + extents) * share;
+      const double off = room * (error_ + std::abs(last) * error_of_speed_);
+      end_low_ = std::min(end_low_, last - off);
+      end_high_ = std::min(end_high_, last + off);
+    }
     return begin_low_ > end_high_;
   }
   // [/quick-axis]

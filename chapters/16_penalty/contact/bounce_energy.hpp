@@ -1,6 +1,5 @@
 /// @file
-/// The energy that a bounce on a spring gains or loses in steps of semi-implicit Euler, also beyond
-/// the stability limit.
+/// The energy that a bounce on a spring gains or loses in steps, also beyond the stability limit.
 #pragma once
 
 #include <contact/invalid_argument.hpp>
@@ -28,6 +27,10 @@ S bounce_growth(const SpringDamper<S>& spring, const S& mass, const S& h) {
 /// − 1). Otherwise a second step gives the velocity −((a − 1) − a (a − 2) σ) v, and it has left, as
 /// the overlap is linear in σ and negative at both ends. Both velocities are linear in σ, so the
 /// extreme values are at the ends, σ = 0 and σ = 1 / (a − 1), and they are reached.
+///
+/// Both forms of Verlet's step have the same bounds: between two forces they move the body by h v
+/// as well, so velocities between the forces and positions at them are those of semi-implicit
+/// Euler.
 /// @param mass kg, greater than 0
 /// @param h s, greater than 0
 /// @note So the stability limit a = 4 is no limit for the energy: there a bounce multiplies it by
@@ -61,5 +64,25 @@ S mean_bounce_energy_factor(const SpringDamper<S>& spring, const S& mass, const 
   return (square + S(1) + S(1) / square) / S(3);
 }
 // [/mean-bounce-energy]
+
+// [step-area-factor]
+/// The factor by which a step on an attached spring and damper multiplies areas in the plane of
+/// penetration and velocity: the determinant of its matrix.
+///
+/// Without a damper it is 1 for semi-implicit Euler and both forms of Verlet's step. Explicit Euler
+/// (1 + a), implicit Euler (1 / (1 + a)) and Runge–Kutta (1 − a³ / 72 + a⁴ / 576) then rotate and
+/// scale the plane of ω₀ d and v, so the energy of spring and motion is multiplied by exactly this
+/// factor, whatever the state.
+/// @note A bounce of n steps multiplies the kinetic energy by the n-th power only roughly: its
+/// first and last overlap begin and end within a step, where the body is free for a part of it.
+/// @param mass kg, greater than 0
+/// @param h s, greater than 0
+template <Scalar S>
+S step_area_factor(PenaltyScheme scheme, const SpringDamper<S>& spring, const S& mass, const S& h) {
+  const auto first = spring_step<S>(scheme, {S(1), S(0)}, spring, mass, h, S(0));
+  const auto second = spring_step<S>(scheme, {S(0), S(1)}, spring, mass, h, S(0));
+  return first.penetration * second.approach - first.approach * second.penetration;
+}
+// [/step-area-factor]
 
 }  // namespace contact

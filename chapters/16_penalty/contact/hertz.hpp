@@ -36,48 +36,63 @@ inline double root_of(double x, int n) {
   }
 }
 
-/// (factor m v w / k)^(2/5), without overflow and underflow of the quotient; relative error at most
-/// 10 u.
+/// A positive number of any magnitude: value 2^exponent.
+struct Scaled {
+  double value;
+  int exponent;
+
+  /// Rounded to a double; ∞ or 0 where it overflows or underflows.
+  double number() const { return std::ldexp(value, exponent); }
+};
+
+/// x with a value from 1/2 to 1; 0 stays 0.
+inline Scaled scaled(double x) {
+  Scaled result{0, 0};
+  result.value = std::frexp(x, &result.exponent);
+  return result;
+}
+inline Scaled operator*(const Scaled& x, const Scaled& y) {
+  return {x.value * y.value, x.exponent + y.exponent};
+}
+inline Scaled operator/(const Scaled& x, const Scaled& y) {
+  return {x.value / y.value, x.exponent - y.exponent};
+}
+
+/// (factor m v w / k)^(2/5), for any magnitudes; relative error at most 10 u.
 /// @param factor from 1/8 to 8
 /// @param m, v, w, k greater than 0, finite
-inline double depth_by_energy(double factor, double m, double v, double w, double k) {
-  int of_m = 0;
-  int of_v = 0;
-  int of_w = 0;
-  int of_k = 0;
-  const double above = std::frexp(m, &of_m) * std::frexp(v, &of_v) * std::frexp(w, &of_w);
-  const double below = std::frexp(k, &of_k);
-  const int power = of_m + of_v + of_w - of_k;
-  const int q = (power >= 0 ? power : power - 4) / 5;
-  const double root = root_of(std::ldexp(factor * above / below, power - 5 * q), 5);
-  return std::ldexp(root * root, 2 * q);
+inline Scaled depth_by_energy(double factor, double m, double v, double w, double k) {
+  const Scaled x = scaled(m) * scaled(v) * scaled(w) / scaled(k);
+  const int q = (x.exponent >= 0 ? x.exponent : x.exponent - 4) / 5;
+  const double root = root_of(std::ldexp(factor * x.value, x.exponent - 5 * q), 5);
+  return {root * root, 2 * q};
 }
 
-/// The time to the depth x, ∫ ds / √(1 − s^(5/2)) from 0 to x, with y = x^(5/2) up to 1/2:
-/// x Σ (1/2)ₙ / n! yⁿ / (1 + 5 n / 2). All terms are positive and each is at most half of the one
-/// before it, so the omitted ones together are below u / 8.
-inline double hertz_rise(double x) {
-  const double y = x * x * std::sqrt(x);
+/// Σ (1/2)ₙ / n! yⁿ / (1 + 5 n / 2), for y up to 1/2. All terms are positive and each is at most
+/// half of the one before it, so the omitted ones together are below u / 8.
+constexpr double hertz_rise_sum(double y) {
   double sum = 0;
   for (int n = 52; n >= 1; --n) sum = (n - 0.5) / n * y * (1 / (1 + 2.5 * n) + sum);
-  return x * (1 + sum);
+  return 1 + sum;
 }
 
-/// The time from the speed w (in units of the first) to the greatest depth, with w² up to 1/2. By
-/// energy w² = 1 − y, so it is 4/5 w Σ (3/5)ₙ / n! w²ⁿ / (2 n + 1), like the sum above.
-inline double hertz_slowing(double w) {
+/// Σ (3/5)ₙ / n! xⁿ / (2 n + 1), for x up to 1/2, like the sum above.
+constexpr double hertz_slowing_sum(double x) {
   double sum = 0;
-  for (int n = 52; n >= 1; --n) sum = (n - 0.4) / n * (w * w) * (1 / (2.0 * n + 1) + sum);
-  return 0.8 * w * (1 + sum);
+  for (int n = 52; n >= 1; --n) sum = (n - 0.4) / n * x * (1 / (2.0 * n + 1) + sum);
+  return 1 + sum;
 }
 
 inline constexpr double root_of_half = 0.7071067811865476;
-
 /// (1/2)^(2/5): the depth at which half of the energy is in the contact.
-inline double hertz_half_depth() {
-  const double root = root_of(0.5, 5);
-  return root * root;
-}
+inline constexpr double hertz_half_depth = 0.757858283255199;
+
+/// The time to the depth x, ∫ ds / √(1 − s^(5/2)) from 0 to x, with y = x^(5/2) up to 1/2.
+inline double hertz_rise(double x) { return x * hertz_rise_sum(x * x * std::sqrt(x)); }
+
+/// The time from the speed w (in units of the first) to the greatest depth, with w² up to 1/2. By
+/// energy w² = 1 − y.
+inline double hertz_slowing(double w) { return 0.8 * w * hertz_slowing_sum(w * w); }
 
 }  // namespace detail
 
@@ -149,17 +164,22 @@ HertzContact<S> hertz_contact(const S& radius, const ElasticSolid<S>& ball,
 }
 
 /// Hertz's contact of two balls: that of a ball with the radius 1 / (1 / r₁ + 1 / r₂) on a
-/// half-space.
+/// half-space. The same for the balls in the other order.
 /// @param first_radius, second_radius m, greater than 0
 /// @throws std::invalid_argument as above
 template <std::floating_point S>
 HertzContact<S> hertz_contact(const S& first_radius, const ElasticSolid<S>& first,
                               const S& second_radius, const ElasticSolid<S>& second) {
+  require_finite("first_radius", first_radius);
   require_finite("second_radius", second_radius);
+  if (!(first_radius > S(0))) {
+    throw_invalid_argument("first_radius", number_text(first_radius), "must be greater than 0");
+  }
   if (!(second_radius > S(0))) {
     throw_invalid_argument("second_radius", number_text(second_radius), "must be greater than 0");
   }
-  return hertz_contact(S(first_radius / (S(1) + first_radius / second_radius)), first, second);
+  const auto [small, large] = std::minmax(first_radius, second_radius);
+  return hertz_contact(S(small / (S(1) + small / large)), first, second);
 }
 // [/hertz-stiffness]
 
@@ -201,9 +221,10 @@ S hertz_depth_under(const HertzContact<S>& contact, const S& force) {
 /// By energy the time is 2 ∫ dx / √(1 − x^(5/2)) from 0 to 1. It is the sum of two series of
 /// positive terms: up to the depth at which half of the energy is in the contact, and from there.
 /// @return relative error at most 20 u of double
-inline double hertz_duration_factor() {
-  return 2 * (detail::hertz_rise(detail::hertz_half_depth()) +
-              detail::hertz_slowing(detail::root_of_half));
+constexpr double hertz_duration_factor() {
+  constexpr double rise = detail::hertz_half_depth * detail::hertz_rise_sum(0.5);
+  constexpr double slowing = 0.8 * detail::root_of_half * detail::hertz_slowing_sum(0.5);
+  return 2 * (rise + slowing);
 }
 // [/hertz-duration]
 
@@ -230,9 +251,12 @@ HertzImpact<S> hertz_impact(const HertzContact<S>& contact, const S& mass, const
   const auto m = static_cast<double>(mass);
   const auto v = static_cast<double>(speed);
   if (!(v > 0)) return {S(0), std::numeric_limits<S>::infinity(), S(0)};
-  const double depth =
+  const detail::Scaled depth =
       detail::depth_by_energy(1.25, m, v, v, static_cast<double>(contact.stiffness));
-  return {S(depth), S(hertz_duration_factor() * (depth / v)), S(1.25 * m * v * (v / depth))};
+  const detail::Scaled rate = detail::scaled(v) / depth;
+  const detail::Scaled factor = detail::scaled(hertz_duration_factor());
+  const detail::Scaled momentum = detail::scaled(1.25) * detail::scaled(m) * detail::scaled(v);
+  return {S(depth.number()), S((factor / rate).number()), S((momentum * rate).number())};
 }
 // [/hertz-impact]
 
@@ -250,7 +274,7 @@ struct HertzMoment {
 /// term, so the first term's root is above theirs and the iterates fall to it; that start is off by
 /// at most an eighth, and five steps square this below u.
 inline HertzMoment hertz_moment(double time) {
-  const double half = hertz_half_depth();
+  constexpr double half = hertz_half_depth;
   if (time <= hertz_rise(half)) {
     double x = std::min(time, half);
     for (int i = 0; i < 6; ++i) {
@@ -277,7 +301,8 @@ inline HertzMoment hertz_moment(double time) {
 /// @param speed m/s, 0 or more
 /// @param t s
 /// @return penetration and approach with errors of at most 60 u of double of the greatest depth and
-/// of the speed, plus the rounding to S; after the contact those of a free body
+/// of the speed, plus the rounding to S, if κ, m and v are from 1e-150 to 1e150 (in double); after
+/// the contact those of a free body
 template <std::floating_point S>
 ImpactMoment<S> hertz_at(const HertzContact<S>& contact, const S& mass, const S& speed,
                          const S& t) {

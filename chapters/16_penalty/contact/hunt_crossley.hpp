@@ -166,7 +166,8 @@ S hunt_crossley_restitution(const HuntCrossley<S>& contact, const S& speed) {
 /// m (p − ln(1 + p)) / λ², with p = λ v.
 /// @param mass kg, greater than 0
 /// @param speed v, m/s, 0 or more, finite
-/// @return m; relative error at most 40 u of double plus the rounding to S
+/// @return m; relative error at most 40 u of double plus the rounding to S, if v is at least 1e-300
+/// and λ at most 1e300 (in double), without overflow and underflow
 template <std::floating_point S>
 S hunt_crossley_depth(const HuntCrossley<S>& contact, const S& mass, const S& speed) {
   const auto m = static_cast<double>(mass);
@@ -177,7 +178,7 @@ S hunt_crossley_depth(const HuntCrossley<S>& contact, const S& mass, const S& sp
   if (contact.exponent == ContactExponent::linear) {
     return S(std::sqrt(2.0) * std::sqrt(v) * std::sqrt(w) * (std::sqrt(m) / std::sqrt(k)));
   }
-  return S(detail::depth_by_energy(2.5, m, v, w, k));
+  return S(detail::depth_by_energy(2.5, m, v, w, k).number());
 }
 // [/hunt-crossley-depth]
 
@@ -185,11 +186,14 @@ S hunt_crossley_depth(const HuntCrossley<S>& contact, const S& mass, const S& sp
 /// The dissipation λ for a coefficient of restitution at one speed: the inverse of
 /// hunt_crossley_restitution(), by bisection until no number lies between. At lower speeds the
 /// contact returns more, at higher ones less.
+///
+/// If e < 1/1000 it is 1 / (e v) up to rounding: with p and q as there, 1 − q is below
+/// (1 + p) e^(−p).
 /// @param restitution e, greater than 0, at most 1
 /// @param speed v, m/s, greater than 0
 /// @return s/m; the restitution for it differs from e by at most 100 u of double, plus the rounding
 /// to S
-/// @throws std::invalid_argument if a number is out of its range or not finite
+/// @throws std::invalid_argument if a number is out of its range or not finite, or λ overflows
 template <std::floating_point S>
 S dissipation_for(const S& restitution, const S& speed) {
   require_restitution("restitution", restitution);
@@ -202,6 +206,13 @@ S dissipation_for(const S& restitution, const S& speed) {
   }
   if (restitution == S(1)) return S(0);
   const auto e = static_cast<double>(restitution);
+  const detail::Scaled v = detail::scaled(static_cast<double>(speed));
+  const auto per_speed = [&](const detail::Scaled& p) {
+    const S dissipation = S((p / v).number());
+    if (std::isfinite(dissipation)) return dissipation;
+    throw_invalid_argument("restitution", number_text(restitution), "the dissipation overflows");
+  };
+  if (e < 0.001) return per_speed(detail::scaled(1) / detail::scaled(e));
   double low = 0;
   double high = 1 / e;  // e is below 1 / p
   for (;;) {
@@ -210,7 +221,7 @@ S dissipation_for(const S& restitution, const S& speed) {
     const HuntCrossley<double> unit{1, p, ContactExponent::linear};
     (hunt_crossley_restitution(unit, 1.0) > e ? low : high) = p;
   }
-  return S(high / static_cast<double>(speed));
+  return per_speed(detail::scaled(high));
 }
 // [/dissipation-for]
 

@@ -65,7 +65,8 @@ int overlap_sign(const Sphere<S>& ball, const Plane<S>& plane) {
 /// penetration r − (n · c − k).
 /// @param plane with a unit normal, which points out of the half-space
 /// @return no force without contact, or if a position is not finite; whether they touch is decided
-/// exactly, and the error of the penetration is at most 8 u (r + |n · c| + |k|)
+/// exactly, and the error of the penetration is at most 8 u (r + Σ |nᵢ cᵢ| + |k|), without
+/// underflow: far from the origin n · c loses digits
 template <Ring S>
 PenaltyForce<S> half_space_force(const PenaltyBall<S>& ball, const Plane<S>& plane,
                                  const SpringDamper<S>& spring,

@@ -292,7 +292,8 @@ bool verlet_grows_early(const SpringDamper<S>& spring, const S& mass) {
 /// r(y) = (2 y² − 8 y + 16) / (y² (4 − y)) < k m / c², or y > 4. r falls up to the root
 /// y = 2.41… of y³ − 8 y² + 40 y − 64 and rises beyond. So up to there the behaviour changes at
 /// most once.
-/// Below a = 3.3 no step grows with b < 4; at a = 9 all do with b < 2.41….
+/// No step with a < 3.3 and b < 4 grows, and all with a = 9 and b < 2.41… do; half of the upper end
+/// has a ≤ 9/4.
 template <std::floating_point S>
 S verlet_limit(const SpringDamper<S>& spring, const S& mass) {
   if (!verlet_grows_early(spring, mass)) return S(4) * (mass / spring.damping);
@@ -301,7 +302,7 @@ S verlet_limit(const SpringDamper<S>& spring, const S& mass) {
   const S high = std::min(lowest, S(S(3) * root));
   const auto scheme = PenaltyScheme::velocity_verlet;
   if (step_behaviour(scheme, spring, mass, high) != StepBehaviour::grows) return high;
-  return first_growing_step(scheme, spring, mass, std::min(S(S(1.8) * root), S(high / S(2))), high);
+  return first_growing_step(scheme, spring, mass, S(high / S(2)), high);
 }
 
 /// The limit of the classical Runge–Kutta step. With λ the larger of the two rates it is between
@@ -320,9 +321,9 @@ S runge_kutta_limit(const SpringDamper<S>& spring, const S& mass) {
 }  // namespace detail
 
 // [step-limit]
-/// The stability limit: the smallest step for which step_behaviour() is `grows`. Every shorter step
-/// decays, or stays bounded without a damper. 0: with explicit Euler and without a damper every
-/// step grows. ∞: no step does.
+/// The stability limit: the greatest lower bound of the steps for which step_behaviour() is
+/// `grows`. Every shorter step decays, or stays bounded without a damper; the limit itself may grow
+/// or stay bounded. 0: with explicit Euler and without a damper every step grows. ∞: no step does.
 ///
 /// Semi-implicit Euler: 4 m / (c + √(c² + 4 k m)), which is 2 √(m / k) without a damper; a damper
 /// reduces it. Explicit Euler: c / k while c² ≤ 4 k m, else 4 m / (c + √(c² − 4 k m)).
@@ -331,7 +332,7 @@ S runge_kutta_limit(const SpringDamper<S>& spring, const S& mass) {
 /// the exact decision brackets it between neighbouring numbers of the type. Without a damper it is
 /// 2 √(m / k) and 2 √2 √(m / k).
 /// @note Velocity Verlet, damped below ζ = 0.52…, has longer steps that do not grow: the limit is
-/// the smallest step that does. Above that ratio it is 4 m / c.
+/// where the first range of steps that do begins. Above that ratio it is 4 m / c.
 /// @param mass kg, greater than 0
 /// @return s; relative error at most 8 u if k, m and c² are from 1e-120 to 1e120 (in double; 1e-15
 /// to 1e15 in float)
@@ -368,8 +369,9 @@ struct EnergyFactor {
 ///
 /// v² + ω₀² d² − h ω₀² d v is an invariant of the steps. At the first step with an overlap, d is
 /// between 0 and h v, so the invariant is between (1 − a/4) v² and v². The same holds for the speed
-/// after the last step with an overlap. The extreme values belong to an overlap of h v / 2 at
-/// the first or at the last step. The penetration is at most v √(m / k) / √(1 − a/4).
+/// after the last step with an overlap. Only an overlap of h v / 2 at the first or at the last step
+/// can give the extreme values, and for most a no bounce reaches them: with a = 1 every bounce
+/// keeps its energy. The penetration is at most v √(m / k) / √(1 − a/4).
 /// @param mass kg, greater than 0
 /// @param h s, greater than 0 and below step_limit()
 /// @note The bounds do not hold with a damper, which removes energy in addition.
@@ -379,9 +381,10 @@ EnergyFactor<S> stepped_energy_factor(const SpringDamper<S>& spring, const S& ma
   return {least, S(1) / least};
 }
 
-/// The longest step with which one such impact changes the kinetic energy by at most the fraction
-/// ε: √(4 ε m / ((1 + ε) k)). An impact takes about π / √a steps, so half the ε takes √2 times as
-/// many.
+/// A step with which every such impact changes the kinetic energy by at most the fraction ε:
+/// √(4 ε m / ((1 + ε) k)), the longest for which the bounds say so. With shorter steps it does not
+/// change more, nor with some longer ones. An impact takes about π / √a steps, so for half the ε it
+/// needs √2 times as many.
 /// @param mass kg, greater than 0
 /// @param share ε, greater than 0
 /// @return s; relative error at most 6 u

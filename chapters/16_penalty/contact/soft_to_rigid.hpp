@@ -27,10 +27,13 @@ struct DampedWave {
 /// ω₀² / (γ + √(γ² − ω₀²)), so nothing cancels.
 /// @param gamma γ = c / (2 m), 1/s
 /// @param square ω₀², 1/s²
-/// @param difference ω₀² − γ², 1/s², rounded once
+/// @param rate √|ω₀² − γ²|, 1/s; its square may overflow
+/// @param underdamped whether ω₀ > γ
 /// @param t s, 0 or more
-inline DampedWave damped_wave(double gamma, double square, double difference, double t) {
-  const double w = difference * t * t;
+inline DampedWave damped_wave(double gamma, double square, double rate, bool underdamped,
+                              double t) {
+  const double turned = rate * t;
+  const double w = underdamped ? turned * turned : -turned * turned;
   if (std::abs(w) <= 1) {
     double c = 0;
     double s = 0;
@@ -41,9 +44,8 @@ inline DampedWave damped_wave(double gamma, double square, double difference, do
     const double left = decay(gamma * t);
     return {left * (1 + c), left * t * (1 + s)};
   }
-  const double rate = std::sqrt(std::abs(difference));
-  if (w > 0) {
-    const SineCosine<double> turn = sine_cosine(rate * t);
+  if (underdamped) {
+    const SineCosine<double> turn = sine_cosine(turned);
     const double left = decay(gamma * t);
     return {left * turn.cosine, left * turn.sine / rate};
   }
@@ -64,17 +66,19 @@ inline DampedWave damped_wave(double gamma, double square, double difference, do
 /// @param load acceleration towards the surface by other forces, such as gravity, m/s²
 /// @param t s
 /// @return the penetration with an error of at most (60 + 8 (ω₀ + γ) t) u of double times
-/// (1 + ζ) (|x₀| + |v₀| / ω₀ + load / ω₀²), plus the rounding to S, and the velocity with ω₀ times
-/// that, if k, m and c² are from 1e-120 to 1e120 (in double)
+/// (1 + ζ) (|x₀| + |v₀| / ω₀ + |load| / ω₀²), plus the rounding to S, and the velocity with ω₀
+/// times that, if k, m and c² are from 1e-120 to 1e120 (in double) or c is 0; without load the
+/// state at t = 0 is the start
 template <std::floating_point S>
 PenaltyState<S> damped_motion(const PenaltyState<S>& start, const SpringDamper<S>& spring,
                               const S& mass, const S& load, const S& t) {
   const auto m = static_cast<double>(mass);
   const double gamma = static_cast<double>(spring.damping) / 2 / m;
   const double square = static_cast<double>(spring.stiffness) / m;
-  const double difference =
-      rounded<double>(-detail::damping_discriminant(spring, mass)) / 4 / m / m;
-  const auto wave = detail::damped_wave(gamma, square, difference, static_cast<double>(t));
+  const double difference = rounded<double>(-detail::damping_discriminant(spring, mass));
+  const double rate = std::sqrt(std::abs(difference)) / 2 / m;
+  const auto wave =
+      detail::damped_wave(gamma, square, rate, difference > 0, static_cast<double>(t));
   const double sag = static_cast<double>(load) / square;
   const double x = static_cast<double>(start.penetration) - sag;
   const auto v = static_cast<double>(start.approach);
@@ -139,13 +143,17 @@ S contact_impulse(const SpringDamper<S>& spring, const S& mass, const S& speed,
 /// restitution and impulse, stay; duration and depth are divided by f, and the greatest force is
 /// multiplied by f. For f without limit the velocity becomes the jump of a rigid impact.
 /// @param factor f, greater than 0
-/// @throws std::invalid_argument if factor is not greater than 0, or a product overflows or
-/// underflows to 0
+/// @throws std::invalid_argument if factor is not greater than 0, or a product overflows or, of
+/// numbers greater than 0, underflows to 0
 template <Ring S>
 SpringDamper<S> stiffened(const SpringDamper<S>& spring, const S& factor) {
   require_finite("factor", factor);
   if (!(factor > S(0))) throw_invalid_argument("factor", number_text(factor), "must be above 0");
-  return spring_damper<S>(spring.stiffness * factor * factor, spring.damping * factor);
+  const S damping = spring.damping * factor;
+  if (spring.damping > S(0) && !(damping > S(0))) {
+    throw_invalid_argument("factor", number_text(factor), "the damping underflows");
+  }
+  return spring_damper<S>(spring.stiffness * factor * factor, damping);
 }
 // [/stiffened]
 
@@ -187,8 +195,10 @@ JumpDifference<S> jump_difference(const S& stiffness, const S& mass, const S& sp
 // [/jump-difference]
 
 // [gravity-bound]
-/// A bound on what gravity changes in the velocity during a damped contact: g √e / ω₀, with e the
-/// restitution at zero force.
+/// A bound on what gravity changes in the velocity at equal times, as long as the damped contact
+/// lasts both with gravity and without: g √e / ω₀, with e the restitution at zero force. Gravity
+/// can make the contact longer, or keep the body from leaving at all; the bound says nothing of
+/// that.
 ///
 /// While the body is attached, the motion with gravity is that without, x(t), plus g / v times the
 /// integral of x: this solves the equation of motion, which is linear, from the same start. So the

@@ -3,6 +3,7 @@
 /// longest stable step, and steps of semi-implicit and of implicit Euler.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -138,9 +139,9 @@ struct FrequencyBounds {
 /// All squares are at most twice the largest (k_i + k_(i+1)) / m_i: a sum of a row over its mass
 /// bounds them (Gershgorin).
 /// @param j 0 for the lowest, n − 1 for the highest
-/// @return the square is in [below, above); a number n times as long as the input decides each of
-/// some 60 steps, so keep n below 100. `below` is 0 if the square is below the smallest positive
-/// number
+/// @return the square is in [below, above), and no number of the type lies between the two; a
+/// number n times as long as the input decides each of some 60 steps, so keep n below 100. `below`
+/// is 0 if the square is below the smallest positive number
 /// @throws std::invalid_argument if there are not so many, or the bound above overflows
 template <std::floating_point S>
 FrequencyBounds<S> frequency_bounds(const SpringStack<S>& stack, std::size_t j) {
@@ -153,7 +154,8 @@ FrequencyBounds<S> frequency_bounds(const SpringStack<S>& stack, std::size_t j) 
     const S row = (stack.stiffness[i] + above) / stack.masses[i];
     if (!(row <= high)) high = row;
   }
-  high = S(2.5) * high;
+  // A row that underflows has lost its digits: then twice its exact value is below this.
+  high = std::max(S(S(2.5) * high), std::numeric_limits<S>::min());
   if (!std::isfinite(high)) {
     throw_invalid_argument("stiffness", number_text(high), "a natural frequency overflows");
   }
@@ -161,6 +163,7 @@ FrequencyBounds<S> frequency_bounds(const SpringStack<S>& stack, std::size_t j) 
   for (;;) {
     // By powers of two while the two are far apart.
     S middle = low > S(0) && high <= S(4) * low ? S(low + (high - low) / S(2)) : S(high / S(4));
+    if (!(middle > S(0))) middle = std::numeric_limits<S>::denorm_min();
     if (low > S(0) && middle <= low) middle = std::sqrt(low) * std::sqrt(high);
     if (!(middle > low && middle < high)) return {low, high};
     (frequencies_below(stack, middle) > j ? high : low) = middle;
@@ -175,7 +178,7 @@ FrequencyBounds<S> frequency_bounds(const SpringStack<S>& stack, std::size_t j) 
 ///
 /// A stack needs shorter steps than one of its bodies alone. With n equal bodies
 /// ω = 2 √(k / m) cos(π / (2 n + 1)), so the limit tends to half of 2 √(m / k).
-/// @return s, below the limit by at most 8 u of itself
+/// @return s, below the limit; by at most 8 u of itself if ω² is a normal number
 /// @throws std::invalid_argument as frequency_bounds()
 template <std::floating_point S>
 S stack_step_limit(const SpringStack<S>& stack) {
@@ -218,12 +221,18 @@ StackState<S> semi_implicit_stack_step(const SpringStack<S>& stack, const StackS
 // [implicit-stack-step]
 /// One step of implicit Euler of a stack whose springs stay attached: the forces are those of the
 /// new displacements. (M + h² K) v' = M (v + h g) − h K x, a tridiagonal system, solved from the
-/// bottom up and back in 8 n operations.
+/// bottom up and back, in a time proportional to n.
 ///
-/// The matrix has a positive diagonal that exceeds the sum of the others in its row by m_i (below,
-/// by more), and nothing positive beside it: an M-matrix, for which elimination without pivoting is
-/// stable. About the stack at rest the energy E of springs and motion falls in every step, for
-/// every h: E − E' is the energy of the differences, ½ (v' − v)·M (v' − v) + ½ (x' − x)·K (x' − x).
+/// The matrix has a positive diagonal, nothing positive beside it, and each diagonal entry exceeds
+/// the sum of the others in its row by m_i at least: an M-matrix. The elimination needs no
+/// difference: of the spring below a body its pivot keeps the part that the body below does not
+/// follow. So where all bodies start down from an unloaded stack, velocities and displacements have
+/// a relative error of at most 16 n u for every h, as long as nothing overflows or underflows, h² k
+/// least of all.
+///
+/// Without rounding, the energy E of springs and motion about the stack at rest falls in every
+/// step, for every h and every stack: E − E' is the energy of the differences,
+/// ½ (v' − v)·M (v' − v) + ½ (x' − x)·K (x' − x).
 /// @param h s, greater than 0
 /// @param gravity m/s²
 template <Scalar S>
@@ -231,23 +240,22 @@ StackState<S> implicit_stack_step(const SpringStack<S>& stack, const StackState<
                                   const S& gravity) {
   const std::size_t n = stack.size();
   StackState<S> next = now;
-  std::vector<S> factor(n, S(0));  // what the row above is multiplied by
+  std::vector<S> follows(n, S(0));  // the part of the velocity above that a body takes
   std::vector<S>& v = next.velocity;
+  S below = h * h * stack.stiffness[0];
+  S held = below;
   for (std::size_t i = 0; i < n; ++i) {
     const S a = gravity + detail::spring_acceleration(stack, now.displacement, i);
     const S above = i + 1 < n ? S(h * h * stack.stiffness[i + 1]) : S(0);
-    const S below = h * h * stack.stiffness[i];
-    // h² k (1 − factor) of the body below, without the difference of two large numbers: its part
-    // of the pivot beyond h² k is what holds it.
-    const S held = i > 0 ? S(below * (S(1) - factor[i - 1])) : below;
     const S pivot = stack.masses[i] + held + above;
-    const S right =
-        stack.masses[i] * (now.velocity[i] + h * a) + (i > 0 ? S(below * v[i - 1]) : S(0));
-    factor[i] = above / pivot;
-    v[i] = right / pivot;
+    const S carried = stack.masses[i] * (now.velocity[i] + h * a);
+    v[i] = (i > 0 ? S(carried + below * v[i - 1]) : carried) / pivot;
+    follows[i] = above / pivot;
+    held = above * ((stack.masses[i] + held) / pivot);
+    below = above;
   }
   for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n) v[i] = v[i] + factor[i] * v[i + 1];
+    if (i + 1 < n) v[i] = v[i] + follows[i] * v[i + 1];
     next.displacement[i] = now.displacement[i] + h * v[i];
   }
   return next;

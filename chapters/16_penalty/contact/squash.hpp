@@ -27,8 +27,8 @@ struct Squash {
 
 // [squash]
 /// The half axes with which a ball of radius r is drawn that overlaps a surface by d. It keeps its
-/// centre and touches the surface: r − d along the normal. Across, r² / (r − d) keeps the area of
-/// the disc, and √(r³ / (r − d)) the volume of the ball.
+/// centre and, unless `held`, touches the surface: r − d along the normal. Across, r² / (r − d)
+/// keeps the area of the disc, and √(r³ / (r − d)) the volume of the ball.
 ///
 /// The picture suggests a deformation that the model does not compute. Between two balls each is
 /// drawn with its own part of the penetration, such as half.
@@ -37,7 +37,7 @@ struct Squash {
 /// @param flattest the least r − d that is drawn, as a fraction of r, greater than 0, at most 1: no
 /// shape is flatter, whatever the penetration
 /// @return m; each axis with a relative error of at most 6 u plus that of r − d, which is rounded
-/// once; ∞ if the axis is
+/// once; ∞ if the axis overflows; without underflow of r flattest
 /// @throws std::invalid_argument if radius or flattest is out of its range or not finite
 template <std::floating_point S>
 Squash<S> squash(const S& radius, const S& penetration, SquashKeeps keeps,

@@ -1,5 +1,5 @@
 // By which factor one bounce on a spring without a damper changes the energy, in steps of several
-// schemes. The first overlap is half of what the ball moves in a step.
+// schemes. The first touch is in the middle of a step.
 #include <contact/penalty_step.hpp>
 #include <cstdio>
 
@@ -10,10 +10,10 @@ using contact::PenaltyScheme;
 /// For a ball of 1 kg at 1 m/s on a spring of 1 N/m, so that ω₀ = 1 and h = ω₀ h.
 double energy_factor(PenaltyScheme scheme, double h) {
   const auto spring = contact::spring_damper(1.0, 0.0);
-  contact::PenaltyState<double> state{h / 2, 1};
-  while (state.penetration >= 0) {
+  contact::PenaltyState<double> state{-h / 2, 1};  // half a step in front of the surface
+  do {
     state = contact::penalty_step(scheme, state, spring, 1.0, h, 0.0);
-  }
+  } while (state.penetration >= 0);
   return state.approach * state.approach;
 }
 

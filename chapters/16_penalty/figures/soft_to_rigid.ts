@@ -206,7 +206,7 @@ function soft(scene: Scene, { release }: Input, output: Output): void {
 
 function rigid(scene: Scene, output: Output): void {
   scene.arrow([across(0), FORCE.zero], [across(0), FORCE.top], { role: "hit", width: 4 });
-  scene.label([across(0), ofForce(110)], "no force: an impulse", { role: "hit", offset: [14, 0] });
+  scene.label([across(0), ofForce(110)], "an impulse", { role: "hit", offset: [14, 0] });
   const v = { role: "b", width: 2.5 } as const;
   const left = ofVelocity(output.restitution * SPEED);
   scene.line([across(FIRST), ofVelocity(-SPEED)], [across(0), ofVelocity(-SPEED)], v);
@@ -229,6 +229,16 @@ export default defineFigure<Input, Output>({
       along: (): Vec2 => [SCALE.right - SCALE.left, 0],
       step: 0.01,
       limit: [0, 1],
+    },
+    {
+      kind: "slide",
+      field: "time",
+      label: "time, s",
+      role: "b",
+      at: ({ time }): Vec2 => [across(time), VELOCITY.zero],
+      along: (): Vec2 => [(RIGHT - LEFT) / (LAST - FIRST), 0],
+      step: 0.005,
+      limit: [FIRST, LAST],
     },
   ],
   controls: [
@@ -271,8 +281,9 @@ export default defineFigure<Input, Output>({
     ball(scene, output);
     if (output.rigid) rigid(scene, output);
     else soft(scene, input, output);
-    scene.label([across(0.2), ofForce(165)], `area ${pretty(output.impulse, 3)} N·s`, {
+    scene.label([RIGHT, ofForce(165)], `area ${pretty(output.impulse, 3)} N·s`, {
       role: "hit",
+      anchor: "end",
     });
   },
   values({ release }, output): Value[] {

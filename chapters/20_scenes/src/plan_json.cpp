@@ -55,7 +55,6 @@ CONTACT_SCENES_INLINE nlohmann::json json_of(const Decision& decision) {
 }
 
 CONTACT_SCENES_INLINE nlohmann::json json_of(const MeasuredEffect& measured) {
-  if (!measured.refused.empty()) return {{"refused", measured.refused}};
   if (const auto& horizon = measured.horizon) {
     return {{"time", horizon->time},
             {"apart", horizon->apart},

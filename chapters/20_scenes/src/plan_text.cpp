@@ -100,7 +100,6 @@ CONTACT_SCENES_INLINE std::string accepted_text(const Plan& plan) {
 }
 
 CONTACT_SCENES_INLINE std::string measured_text(const MeasuredEffect& measured, bool on) {
-  if (!measured.refused.empty()) return "Not measured: " + measured.refused + ".";
   if (measured.horizon) return detail::horizon_text(*measured.horizon);
   const std::string other = on ? "without" : "with";
   if (measured.same_stages) return "Measured: the run " + other + " it has the same stages.";

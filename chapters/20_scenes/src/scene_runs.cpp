@@ -19,14 +19,6 @@ CONTACT_SCENES_INLINE std::unique_ptr<SceneRun> make_run(const Scene& scene, con
   return make_scene_run(scene, plan, make_hard_spheres, event_budget);
 }
 
-CONTACT_SCENES_INLINE std::optional<std::string> run_refusal(const Scene& scene, const Plan& plan) {
-  if (flies_freely(plan)) return std::nullopt;
-  if (decision_on(plan, Effect::event_driven).on &&
-      !hard_sphere_refusal(scene_without_effects(scene, plan)))
-    return std::nullopt;
-  return stepped_refusal(scene, plan);
-}
-
 CONTACT_SCENES_INLINE std::optional<HardSphereEffects> hard_sphere_effects(const SceneRun& run) {
   const auto* events = dynamic_cast<const FallbackRun*>(&run);
   if (events == nullptr || !run.event_driven()) return std::nullopt;

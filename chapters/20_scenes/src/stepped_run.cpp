@@ -28,20 +28,11 @@
 
 namespace contact {
 
-// [stepped-refusal]
-CONTACT_SCENES_INLINE std::optional<std::string> stepped_refusal(const Scene&, const Plan&) {
-  return std::nullopt;  // every pair of which one moves has a narrow phase
-}
-// [/stepped-refusal]
-
 // [stepped-run]
 /// A scene, step by step.
 class SteppedRun final : public SceneRun {
  public:
-  /// @throws std::invalid_argument with what stepped_refusal() says
   SteppedRun(const Scene& scene, const Plan& plan) {
-    if (const auto refusal = stepped_refusal(scene, plan))
-      throw_invalid_argument("scene", scene.name, *refusal);
     setup_ = detail::stepped_setup(scene, plan);
     line_ = detail::step_pipeline(plan, setup_);
     state_.position = state_.velocity = ActiveVectors(setup_.active);

@@ -23,10 +23,12 @@ struct State {
 State after_step(const State& now, double stiffness, double damping, double mass, double step);
 
 /// The stability limit of these steps, in s. With every shorter step the body comes to rest, or
-/// stays near 0 if there is no damping. With every longer step it moves further and further away.
+/// stays near 0 if there is no damping. With every longer step the motion grows, from almost every
+/// start.
 ///
-/// With T = 2 − a − b and D = 1 − b, where a = h² k / m and b = h c / m, the motion decays if
-/// −T < 1 + D. The damping may be a million times the critical one, 2 √(k m).
+/// A step is a linear map with the trace T = 2 − a − b and the determinant D = 1 − b, where
+/// a = h² k / m and b = h c / m. The motion does not grow as long as −T < 1 + D. The damping may be
+/// a million times the critical one, 2 √(k m).
 double largest_step(double stiffness, double damping, double mass);
 
 }  // namespace exercise

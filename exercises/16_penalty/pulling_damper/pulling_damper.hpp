@@ -26,12 +26,12 @@ Moment weak_damper_pulls();
 /// A first touch, with a penetration of 0, after which the body leaves, by given::rebound_speed,
 /// with at least 5 % of its speed, but with at most half of the speed that it would have if the
 /// contact ended at zero force. The stiffness is from 1 to 100,000, the mass from 0.01 to 100, the
-/// damping at most 10,000, the approach from 0.01 to 10 m/s.
+/// damping ratio at most 10, the approach from 0.01 to 10 m/s.
 Moment rebounds_too_slowly();
 
-/// A first touch, with a penetration of 0, after which the body never leaves the surface, by
-/// given::rebound_speed, although it would leave with at least 12 % of its speed if the contact
-/// ended at zero force. The numbers are from the same ranges.
+/// A first touch, with a penetration of 0, after which the body has not left the surface after a
+/// hundred √(m / k), by given::rebound_speed, although it would leave with at least 12 % of its
+/// speed if the contact ended at zero force. The numbers are from the same ranges.
 Moment never_lets_go();
 
 }  // namespace exercise

@@ -30,7 +30,6 @@ struct MeasuredEffect {
   Effect effect = Effect::gravity;         ///< which
   std::optional<MeasuredHorizon> horizon;  ///< for the horizon, instead of the rest
   bool same_stages = false;       ///< the run has the same stages: there is nothing to measure
-  std::string refused;            ///< why there is no such run; empty if there is one
   double planned_seconds = 0;     ///< processor time for a second of the scene, as planned
   double other_seconds = 0;       ///< the same with the effect switched
   std::size_t planned_bytes = 0;  ///< of one moving body's state

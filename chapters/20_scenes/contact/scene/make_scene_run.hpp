@@ -117,7 +117,6 @@ class FallbackRun final : public SceneRun {
 /// @param plan as plan_scene() makes it, overrides included
 /// @param compose makes a run of hard balls
 /// @param event_budget hits, after which an event-driven run goes on step by step
-/// @throws std::invalid_argument with what stepped_refusal() says, if neither can run it
 std::unique_ptr<SceneRun> make_scene_run(
     const Scene& scene, const Plan& plan, ComposeHardSpheres compose,
     std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max());

@@ -22,9 +22,6 @@ std::unique_ptr<SceneRun> make_run(
     const Scene& scene, const Plan& plan,
     std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max());
 
-/// Why a scene can be run neither from event to event nor step by step; empty if it can.
-std::optional<std::string> run_refusal(const Scene& scene, const Plan& plan);
-
 /// The effects of which a run of hard balls is composed; empty if it goes step by step.
 std::optional<HardSphereEffects> hard_sphere_effects(const SceneRun& run);
 

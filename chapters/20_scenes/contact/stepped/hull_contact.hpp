@@ -14,16 +14,19 @@
 
 namespace contact {
 
-/// The vertices of a body's core, whose radius does not count.
+/// The core of a ball, its centre. The radius of a body does not count.
 inline std::vector<Vector3<double>> core_vertices(const Sphere<double>& body) {
   return {body.centre};
 }
+/// The two ends of a capsule's core.
 inline std::vector<Vector3<double>> core_vertices(const Capsule<double>& body) {
   return {body.core.start, body.core.end};
 }
+/// The vertices of a hull.
 inline std::vector<Vector3<double>> core_vertices(const ConvexHull<double>& body) {
   return body.vertices;
 }
+/// The eight corners of a box.
 std::vector<Vector3<double>> core_vertices(const OrientedBox<double>& body);
 
 // [face-contact]

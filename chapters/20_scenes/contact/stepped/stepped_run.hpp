@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <contact/plan/plan_types.hpp>
@@ -13,20 +12,15 @@
 
 namespace contact {
 
-/// Why a scene cannot be run step by step, or empty if it can: today every checked scene can,
-/// because all pairs of shapes have a narrow phase.
-/// @param plan of the scene
-std::optional<std::string> stepped_refusal(const Scene& scene, const Plan& plan);
-
 namespace detail {
 
 inline bool is_on(const Plan& plan, Effect effect) { return decision_on(plan, effect).on; }
 
 }  // namespace detail
 
-/// The stepped run of a scene.
+/// The stepped run of a scene. Every checked scene has one: all pairs of shapes have a narrow
+/// phase.
 /// @param plan of the scene; if it is event-driven, a step is a frame
-/// @throws std::invalid_argument with what stepped_refusal() says
 std::unique_ptr<SceneRun> make_stepped_run(const Scene& scene, const Plan& plan);
 
 }  // namespace contact
