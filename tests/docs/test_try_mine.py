@@ -80,7 +80,7 @@ def test_a_comma_of_a_template_separates_no_parameters() -> None:
         ({"call": "collide({mas, 1}, {1, 2}, e)"}, ROWS, "unknown field 'mas' in figure head_on"),
         ({"call": "colide({mass, 1}, {1, 2}, e)"}, ROWS, "unknown function 'colide'"),
         ({"call": "collide({mass, 1}, e)"}, ROWS, "gives 2 arguments, and collide has 3"),
-        ({"call": "collide({1, 1}, {1, 2}, after)"}, ROWS, "uses no input of figure head_on"),
+        ({"call": "collide({1, 1}, {1, 2}, 1)"}, ROWS, "uses no field of figure head_on"),
         ({"only-for": "k = 1: elastic bodies"}, ROWS, "unknown field 'k'"),
         (
             {"start": "sidelong"},

@@ -345,7 +345,7 @@ def test_the_peers_of_the_benchmarks_are_pinned() -> None:
         return [line for line in lines if not line.startswith("#")]
 
     asked = pins("requirements.in")
-    assert {"coacd", "ipctk", "libcoal", "libigl", "miniballcpp", "vhacdx"} == {
+    assert {"coacd", "ipctk", "libcoal", "libigl", "miniballcpp", "mujoco", "vhacdx"} == {
         line.split("==")[0] for line in asked
     }
     # With all that they need, each in one version.

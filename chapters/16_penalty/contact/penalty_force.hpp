@@ -29,19 +29,51 @@ struct PenaltyForce {
   Vector3<S> force = Vector3<S>::Zero();  ///< on the first ball, N; the opposite acts on the other
 };
 
+// [half-space-overlap]
+/// Whether a ball overlaps a half-space: the sign of r − (n · c − k), negative for a gap, 0 for
+/// touching.
+/// @param plane with a unit normal, which points out of the half-space
+/// @return −1, 0 or 1, exact for the stored numbers: where rounding could change the sign, it is
+/// computed again without rounding; −1 if a number is not finite
+template <Ring S>
+int overlap_sign(const Sphere<S>& ball, const Plane<S>& plane) {
+  const S value = ball.radius - (plane.normal.dot(ball.centre) - plane.offset);
+  if constexpr (std::floating_point<S>) {
+    const S size =
+        ball.radius + plane.normal.cwiseAbs().dot(ball.centre.cwiseAbs()) + std::abs(plane.offset);
+    // Each term is rounded at most five times; each product that underflows loses η.
+    const S bound = S(8) * tolerance::unit_roundoff<S> * size + S(8) * tolerance::underflow_unit<S>;
+    if (value > bound) return 1;
+    if (value < -bound) return -1;
+    if (!plane.normal.allFinite() || !ball.centre.allFinite() || !std::isfinite(plane.offset) ||
+        !std::isfinite(ball.radius)) {
+      return -1;
+    }
+    Exact exact = Exact(double(ball.radius)) + Exact(double(plane.offset));
+    for (int i = 0; i < 3; ++i) {
+      exact -= Exact(double(plane.normal(i))) * Exact(double(ball.centre(i)));
+    }
+    return exact.sign();
+  } else {
+    return value > S(0) ? 1 : (value < S(0) ? -1 : 0);
+  }
+}
+// [/half-space-overlap]
+
 // [half-space-force]
 /// The penalty force of a half-space on a ball: contact_force() along the plane's normal, with the
 /// penetration r − (n · c − k).
 /// @param plane with a unit normal, which points out of the half-space
-/// @return no force without contact; the error of the penetration is at most 8 u (r + |n · c| +
-/// |k|)
+/// @return no force without contact, or if a position is not finite; whether they touch is decided
+/// exactly, and the error of the penetration is at most 8 u (r + Σ |nᵢ cᵢ| + |k|), without
+/// underflow: far from the origin n · c loses digits
 template <Ring S>
 PenaltyForce<S> half_space_force(const PenaltyBall<S>& ball, const Plane<S>& plane,
                                  const SpringDamper<S>& spring,
                                  ContactRelease rule = ContactRelease::at_zero_force) {
+  if (overlap_sign(ball.sphere, plane) < 0) return {};
   const S distance = plane.normal.dot(ball.sphere.centre) - plane.offset;
-  const S penetration = ball.sphere.radius - distance;
-  if (penetration < S(0)) return {};
+  const S penetration = std::max(S(0), S(ball.sphere.radius - distance));
   const S approach = -plane.normal.dot(ball.velocity);
   const S force = contact_force(spring, penetration, approach, rule);
   return {true, penetration, plane.normal * force};
@@ -52,7 +84,7 @@ PenaltyForce<S> half_space_force(const PenaltyBall<S>& ball, const Plane<S>& pla
 /// Whether two balls overlap: the sign of (r₁ + r₂)² − |c₁ − c₂|², negative for a gap, 0 for
 /// touching.
 /// @return −1, 0 or 1, exact for the stored numbers: where rounding could change the sign, it is
-/// computed again without rounding
+/// computed again without rounding; −1 if a number is not finite
 template <Ring S>
 int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
   if constexpr (std::floating_point<S>) {
@@ -65,6 +97,10 @@ int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
                     S(8) * tolerance::underflow_unit<S>;
     if (value > bound) return 1;
     if (value < -bound) return -1;
+    if (!first.centre.allFinite() || !second.centre.allFinite() || !std::isfinite(first.radius) ||
+        !std::isfinite(second.radius)) {
+      return -1;
+    }
     const Exact sum = Exact(double(first.radius)) + Exact(double(second.radius));
     Exact exact = sum * sum;
     for (int i = 0; i < 3; ++i) {
@@ -88,8 +124,9 @@ int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
 /// Whether they touch is decided exactly. Concentric balls have no line of centres: they touch, the
 /// penetration is r₁ + r₂, and there is no force.
 /// @param spring of the pair
-/// @return no force without contact; the error of the penetration is at most 8 u (r₁ + r₂) plus the
-/// rounding of the difference of the centres, and it is not negative
+/// @return no force without contact, or if a position is not finite; the error of the penetration
+/// is at most 8 u (r₁ + r₂) plus the rounding of the difference of the centres, and it is not
+/// negative; r₁ + r₂ and the difference of the centres must not overflow
 template <std::floating_point S>
 PenaltyForce<S> ball_ball_force(const PenaltyBall<S>& first, const PenaltyBall<S>& second,
                                 const SpringDamper<S>& spring,

@@ -58,12 +58,15 @@ enum class ContactRelease {
 /// @param penetration d, m; negative: a gap
 /// @param approach ḋ, rate of change of the penetration, m/s; negative: the surfaces separate
 /// @param rule with ContactRelease::at_zero_force the result is never negative
-/// @return N, positive if it pushes the surfaces apart; error at most 3 u (k |d| + c |ḋ|)
+/// @return N, positive if it pushes the surfaces apart; error at most 3 u (k |d| + c |ḋ|), plus
+/// η for products that underflow; 0 for a penetration that is not a number; NaN only if the
+/// approach is not a number, one product is ∞ and the other −∞, or one is 0 times ∞ (no damper and
+/// an infinite approach)
 /// @see *Interaction and Normals*, slide "Collision response – penalty method"
 template <Ring S>
 S contact_force(const SpringDamper<S>& spring, const S& penetration, const S& approach,
                 ContactRelease rule = ContactRelease::at_zero_force) {
-  if (penetration < S(0)) return S(0);
+  if (!(penetration >= S(0))) return S(0);
   const S force = spring.stiffness * penetration + spring.damping * approach;
   return force < S(0) && rule == ContactRelease::at_zero_force ? S(0) : force;
 }
@@ -73,10 +76,11 @@ S contact_force(const SpringDamper<S>& spring, const S& penetration, const S& ap
 /// The potential energy of the spring: k d² / 2 while the surfaces overlap, else 0. Without damping
 /// its sum with the kinetic energy is conserved; a damper dissipates the power c ḋ².
 /// @param penetration m; negative: a gap
-/// @return J; relative error at most 3 u
+/// @return J; relative error at most 3 u, without overflow and underflow; 0 for a penetration that
+/// is not a number
 template <Scalar S>
 S contact_spring_energy(const SpringDamper<S>& spring, const S& penetration) {
-  if (penetration < S(0)) return S(0);
+  if (!(penetration >= S(0))) return S(0);
   return spring.stiffness * penetration * penetration / S(2);
 }
 // [/spring-energy]
@@ -84,8 +88,10 @@ S contact_spring_energy(const SpringDamper<S>& spring, const S& penetration) {
 /// The damping regime of a spring, a damper and a mass.
 enum class DampingRegime {
   underdamped,  ///< c² < 4 k m: it oscillates about 0
-  critical,     ///< c² = 4 k m: it returns to 0 as fast as possible without oscillating
-  overdamped    ///< c² > 4 k m: it returns more slowly, without oscillating
+  critical,     ///< c² = 4 k m: it does not oscillate, and from almost every start it returns to 0
+                ///< in the end faster than with any other damper
+  overdamped    ///< c² > 4 k m: it does not oscillate, and from almost every start it returns more
+                ///< slowly
 };
 
 namespace detail {
@@ -125,11 +131,16 @@ DampingRegime damping_regime(const SpringDamper<S>& spring, const S& mass) {
 
 /// The damping ratio ζ = c / (2 √k √m): 0 without damper, 1 at DampingRegime::critical.
 /// @param mass kg, greater than 0
-/// @return dimensionless; relative error at most 5 u; the largest finite number in place of ∞
+/// @return dimensionless; relative error at most 5 u, if damping and ratio are normal numbers or 0;
+/// the largest finite number in place of ∞
 template <std::floating_point S>
 S damping_ratio(const SpringDamper<S>& spring, const S& mass) {
-  const S halves = spring.damping / S(2) / std::sqrt(spring.stiffness);
-  const S ratio = halves / std::sqrt(mass);
+  const S stiff = std::sqrt(spring.stiffness);
+  const S heavy = std::sqrt(mass);
+  const S halves = spring.damping / S(2) / stiff;
+  // One order of the divisions may underflow or overflow where the other does not.
+  const S ratio =
+      std::isnormal(halves) ? S(halves / heavy) : S(spring.damping / S(2) / heavy / stiff);
   return std::isfinite(ratio) ? ratio : std::numeric_limits<S>::max();
 }
 

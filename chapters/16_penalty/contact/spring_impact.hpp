@@ -83,7 +83,8 @@ inline double sine_of_cosine(double ratio) { return std::sqrt((1 - ratio) * (1 +
 /// The coefficient of restitution for a damping ratio; it does not depend on the speed.
 ///
 /// At zero penetration: exp(−π ζ / √(1 − ζ²)); for ζ ≥ 1 the surfaces never separate, and it is 0.
-/// At zero force: exp(−2 ζ θ / sin θ), which is larger and never 0.
+/// At zero force: exp(−2 ζ θ / sin θ), which is larger if ζ > 0, and greater than 0 for every
+/// ζ: near 1 / (4 ζ²) for large ζ, so in double it underflows above ζ = 3e153.
 /// @param ratio ζ, 0 or more
 /// @return 0 to 1; with y the exponent, the relative error is at most (8 + 90 y) u of double while
 /// it is a normal number, plus the rounding to S; at zero penetration the factor 90 grows to 6 / (1
@@ -121,7 +122,8 @@ struct SpringImpact {
 /// @param mass of the body on a fixed surface, or reduced_mass() of two bodies, kg, greater than 0
 /// @param speed speed of approach, m/s, 0 or more
 /// @return each with a relative error of at most (100 + 100 y) u of double, where y is the exponent
-/// of e, plus the rounding to S, if k, m and c² are from 1e-120 to 1e120 (in double)
+/// of e, plus the rounding to S, if k, m and c² are from 1e-120 to 1e120 (in double) or c is 0, and
+/// the result does not underflow
 template <std::floating_point S>
 SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, const S& speed,
                               ContactRelease rule = ContactRelease::at_zero_force) {
@@ -134,10 +136,11 @@ SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, cons
   SpringImpact<S> impact;
   impact.restitution = S(restitution_of_damping(z, rule));
   impact.time_of_depth = S(q / rate);
-  impact.max_depth = S(v / rate * detail::decay(z * q));
+  const double left = detail::decay(z * q);  // its square may underflow
+  impact.max_depth = S(v / rate * left);
   if (rule == ContactRelease::at_zero_force) {
     impact.duration = S(2 * q / rate);
-    impact.left_overlap = S(v / rate * (2 * z * detail::decay(2 * z * q)));
+    impact.left_overlap = S(v / rate * (2 * (z * left)) * left);
   } else if (damping_regime(spring, mass) != DampingRegime::underdamped) {
     impact.duration = std::numeric_limits<S>::infinity();
     impact.restitution = S(0);
@@ -222,7 +225,8 @@ SpringDamper<S> spring_for_restitution(const S& stiffness, const S& mass, const 
 /// @param speed v at the first touch, m/s, 0 or more
 /// @param gravity g towards the surface, m/s², 0 or more
 /// @param depth d, m, greater than 0
-/// @return N/m
+/// @return N/m; relative error at most 5 u, without overflow and underflow, so the penetration is
+/// at most d (1 + 3 u)
 template <Scalar S>
 S stiffness_for_depth(const S& mass, const S& speed, const S& gravity, const S& depth) {
   return mass * (speed * speed / depth + S(2) * gravity) / depth;

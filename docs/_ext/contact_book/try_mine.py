@@ -111,8 +111,8 @@ def tie(
     if not rows:
         raise BookError("an exercise tied to a figure needs a line LABEL: mine... = FIELD")
     call, used = _call(options["call"], contract, name, every)
-    if not set(used) & set(fields.inputs):
-        raise BookError(f":call: uses no input of figure {name}, so moving it changes nothing")
+    if not used:
+        raise BookError(f":call: uses no field of figure {name}, so moving it changes nothing")
     return {
         "figure": f"{chapter.slug}/{name}",
         "call": call,

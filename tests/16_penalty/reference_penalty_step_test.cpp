@@ -13,6 +13,8 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
+namespace penalty_step_test {
+
 using contact::ContactRelease;
 using contact::PenaltyScheme;
 using contact::PenaltyState;
@@ -215,6 +217,18 @@ TEMPLATE_TEST_CASE("the stability limit, against its square root and against the
   CHECK(contact::step_limit(PenaltyScheme::explicit_euler, spring, S(1)) == S(0));
 }
 
+TEST_CASE(
+    "every step below the limit decays and every one beyond grows; the limit may be bounded") {
+  const auto spring = contact::spring_damper(1.0, 1.0);
+  const auto scheme = PenaltyScheme::explicit_euler;
+  const double limit = contact::step_limit(scheme, spring, 1.0);
+  REQUIRE(limit == 1);
+  const auto behaviour = [&](double h) { return contact::step_behaviour(scheme, spring, 1.0, h); };
+  CHECK(behaviour(std::nextafter(limit, 0)) == StepBehaviour::decays);
+  CHECK(behaviour(limit) == StepBehaviour::bounded);
+  CHECK(behaviour(std::nextafter(limit, 2)) == StepBehaviour::grows);
+}
+
 TEST_CASE("the energy that an impact in steps gains or loses is within its bounds") {
   Random random(1624);
   double nearest_least = 1;
@@ -251,6 +265,21 @@ TEST_CASE("the energy that an impact in steps gains or loses is within its bound
   // The bounds are sharp: some impacts come close to both.
   CHECK(nearest_least < 0.1);
   CHECK(nearest_most < 0.1);
+}
+
+TEST_CASE("with a = 1 every bounce keeps its energy, so longer steps than that of a bound may do") {
+  const SpringDamper<Rational> spring{1, 0};
+  for (int sigma = 0; sigma <= 64; ++sigma) {
+    PenaltyState<Rational> state{Rational(sigma, 64), 1};  // the first overlap, in units of h v
+    int steps = 0;
+    for (; state.penetration >= 0; ++steps)
+      state = contact::penalty_step<Rational>(PenaltyScheme::semi_implicit_euler, state, spring, 1,
+                                              1, 0);
+    REQUIRE(steps >= 2);
+    REQUIRE(state.approach * state.approach == 1);
+  }
+  const double percent = contact::step_for_energy(contact::spring_damper(1.0, 0.0), 1.0, 0.01);
+  CHECK(percent < 0.2);
 }
 
 TEMPLATE_TEST_CASE("the step for a required accuracy of the energy", "", float, double) {
@@ -311,9 +340,9 @@ TEST_CASE("a contact spring pulls in steps only with at_zero_penetration") {
 TEST_CASE("implicit forces are those of the end of the step, exactly") {
   Random random(1627);
   for (int i = 0; i < generators::tried(2000); ++i) {
-    const Rational k(random.integer(1, 99), random.integer(1, 9));
-    const Rational c(random.integer(0, 99), random.integer(1, 9));
-    const Rational m(random.integer(1, 99), random.integer(1, 9));
+    const Rational k{random.integer(1, 99), random.integer(1, 9)};
+    const Rational c{random.integer(0, 99), random.integer(1, 9)};
+    const Rational m{random.integer(1, 99), random.integer(1, 9)};
     const Rational d(random.integer(-99, 99), 7);
     const Rational v(random.integer(-99, 99), 7);
     const Rational g(random.integer(0, 10));
@@ -372,9 +401,9 @@ TEST_CASE("with shorter steps each scheme converges to the closed form, at first
 TEST_CASE("a body at rest on a spring stays at its equilibrium, exactly") {
   Random random(1628);
   for (int i = 0; i < generators::tried(1000); ++i) {
-    const Rational k(random.integer(1, 99), random.integer(1, 9));
-    const Rational c(random.integer(0, 99), random.integer(1, 9));
-    const Rational m(random.integer(1, 99), random.integer(1, 9));
+    const Rational k{random.integer(1, 99), random.integer(1, 9)};
+    const Rational c{random.integer(0, 99), random.integer(1, 9)};
+    const Rational m{random.integer(1, 99), random.integer(1, 9)};
     const Rational g(random.integer(1, 20));
     for (const PenaltyScheme scheme : kSchemes) {
       const PenaltyState<Rational> rest{m * g / k, 0};
@@ -385,3 +414,5 @@ TEST_CASE("a body at rest on a spring stays at its equilibrium, exactly") {
     }
   }
 }
+
+}  // namespace penalty_step_test

@@ -9,6 +9,8 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
+namespace penalty_force_test {
+
 using contact::ContactRelease;
 using contact::PenaltyBall;
 using contact::Vector3;
@@ -196,3 +198,5 @@ TEMPLATE_TEST_CASE("balls of any size, and concentric balls", "", float, double)
     CHECK(same.force == Vector3<S>::Zero());
   }
 }
+
+}  // namespace penalty_force_test

@@ -13,6 +13,8 @@
 #include "support/refusal.hpp"
 #include "support/rounding.hpp"
 
+namespace spring_damper_test {
+
 using contact::ContactRelease;
 using contact::DampingRegime;
 using contact::SpringDamper;
@@ -74,10 +76,10 @@ TEST_CASE("spring and damper take from the motion what they store and dissipate,
   // The rate of k d²/2 is k d d', that of the damper's heat c d'²: together the force times d'.
   Random random(1602);
   for (int i = 0; i < generators::tried(2000); ++i) {
-    const Rational k(random.integer(1, 99), random.integer(1, 99));
-    const Rational c(random.integer(0, 99), random.integer(1, 99));
-    const Rational d(random.integer(0, 99), random.integer(1, 99));
-    const Rational v(random.integer(-99, 99), random.integer(1, 99));
+    const Rational k{random.integer(1, 99), random.integer(1, 99)};
+    const Rational c{random.integer(0, 99), random.integer(1, 99)};
+    const Rational d{random.integer(0, 99), random.integer(1, 99)};
+    const Rational v{random.integer(-99, 99), random.integer(1, 99)};
     const auto spring = contact::spring_damper(k, c);
     const Rational step(1, 1 << 20);
     // For a parabola the symmetric difference quotient is the derivative.
@@ -155,3 +157,5 @@ TEST_CASE("an invalid spring or damper is refused, with its value") {
   }
   CHECK(refusal([] { contact::spring_damper(1e-300, 0.0); }).empty());
 }
+
+}  // namespace spring_damper_test
