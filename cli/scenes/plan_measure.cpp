@@ -6,7 +6,6 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include <contact/plan/plan.hpp>
 #include <contact/scene/scene_run.hpp>

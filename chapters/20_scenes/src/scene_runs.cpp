@@ -3,14 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include <contact/events/hard_sphere_make.hpp>
-#include <contact/events/hard_sphere_scene.hpp>
 #include <contact/scene/compiled.hpp>
-#include <contact/scene/free_flight_run.hpp>
 #include <contact/scene/make_scene_run.hpp>
-#include <contact/stepped/stepped_run.hpp>
 
 namespace contact::scenes {
 

@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include <contact/events/hard_sphere_run.hpp>
 #include <contact/plan/plan_types.hpp>

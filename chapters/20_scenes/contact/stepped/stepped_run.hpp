@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/scene.hpp>
