@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <contact/close_points.hpp>
 #include <contact/convex_shapes.hpp>
 #include <contact/face_clipping.hpp>
 #include <contact/face_overlap.hpp>
@@ -163,7 +164,14 @@ ContactManifold<S> capsules_manifold(const Capsule<S>& a, const Capsule<S>& b, c
     add_manifold_point<S>(manifold, Vector3<S>(on_a - near.normal * a.radius), distance, margin,
                           features[i]);
   }
+  merge_close_points(manifold, std::min(length<S>(d), length<S>(e)));
   return manifold;
+}
+
+/// Half of the shorter side of a box's face, which is its face_size() to within a factor of 2.
+template <std::floating_point S>
+S size_of_face(const OrientedBox<S>& box, int axis) {
+  return std::min(box.half_lengths((axis + 1) % 3), box.half_lengths((axis + 2) % 3));
 }
 
 /// The features of a point of a capsule's core over a face of a box: an end and the face, or the
@@ -206,8 +214,8 @@ ContactManifold<S> capsule_box_manifold(const Capsule<S>& a, const OrientedBox<S
   for (const Vector3<S>& p : {first, last}) {
     add_manifold_point<S>(manifold, Vector3<S>(p - n * a.radius), S(n.dot(p) - top - a.radius),
                           margin, features_over_face<S>(p, a, b, axis, facing > S(0)));
-    if (first == last) break;
   }
+  merge_close_points(manifold, std::min(length<S>(d), size_of_face(b, axis)));
   if (manifold.points.empty()) return single_point(a, b, near, margin);
   return manifold;
 }
@@ -322,6 +330,8 @@ ContactManifold<S> boxes_manifold(const OrientedBox<S>& a, const OrientedBox<S>&
     const PointFeatures features{v.reference, v.incident};
     add_manifold_point<S>(manifold, on_a, distance, margin, of_a ? features : exchanged(features));
   }
+  keep_outline(manifold, std::min(size_of_face(reference, axis),
+                                  face_size<S>({looking.corners.begin(), looking.corners.end()})));
   if (manifold.points.empty()) return single_point(a, b, margin);
   return manifold;
 }
@@ -332,8 +342,10 @@ ContactManifold<S> boxes_manifold(const OrientedBox<S>& a, const OrientedBox<S>&
 ///
 /// If a face normal is the axis of largest separation, its face is the reference face, and the
 /// incident face of the other box is clipped against its sides. The points of the clipped polygon
-/// within the margin, at most eight, are the manifold, in the order of box_face(). If an edge–edge
-/// axis separates clearly more, the contact is the one point between the two edges.
+/// within the margin, at most eight, are the manifold, in the order of box_face(). Of points that
+/// coincide the first stays, and points between others are left out, both to within 2^-20 (float:
+/// 2^-12) of the smaller face, so that rounding does not change their number. If an edge–edge axis
+/// separates clearly more, the contact is the one point between the two edges.
 ///
 /// Where corners meet, many directions are possible normals. The first of the fifteen axes with the
 /// largest separation is taken, of the box that comes first along the coordinate in which the

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include <contact/close_points.hpp>
 #include <contact/convex_shapes.hpp>
 #include <contact/manifold_point.hpp>
 #include <contact/signed_distance_result.hpp>
@@ -28,11 +29,6 @@ struct FacingPart {
 // [/facing-part]
 
 namespace detail {
-
-/// Lengths below this fraction of a polytope's size count as 0: then a face that rounding has bent
-/// is one face.
-template <std::floating_point S>
-inline constexpr S flatness = std::numeric_limits<S>::digits <= 24 ? S(0x1p-12) : S(0x1p-20);
 
 /// A vertex relative to the farthest one along n: two coordinates perpendicular to n, and how much
 /// less far it is.

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <contact/close_points.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/convex_bodies.hpp>
 #include <contact/face_overlap.hpp>
@@ -80,7 +81,8 @@ ContactManifold<S> points_over_face(const Reference& reference, const FacingPart
     const Vector3<S> out = Vector3<S>(relative(reference, to) - start).cross(face.normal);
     sides.push_back({out, out.dot(start), edge_feature(from, to)});
   }
-  std::vector<Vector3<S>> points;
+  std::vector<Vector3<S>> points, corners;
+  for (const int i : face.vertices) corners.push_back(relative(reference, i));
   for (const int i : part.vertices) points.push_back(relative(incident, i));
   const Vector3<S> top = relative(reference, support_vertex(reference, face.normal));
   // From the incident body to the reference body: as seen from A if that is the reference.
@@ -93,6 +95,7 @@ ContactManifold<S> points_over_face(const Reference& reference, const FacingPart
     manifold.points.push_back({Vector3<S>(origin + (v.point - face.normal * beyond)), distance,
                                PointFeatures{v.reference, v.incident}});
   }
+  keep_outline(manifold, std::min(face_size(corners), face_size(points)));
   return manifold;
 }
 // [/hull-faces]
@@ -128,6 +131,7 @@ ContactManifold<S> points_of_edges(const A& a, const FacingPart<S>& of_a, const 
                          : PointFeatures{side_a, vertex_feature(b0)});
   add(last, high >= S(1) ? PointFeatures{vertex_feature(a1), side_b}
                          : PointFeatures{side_a, vertex_feature(b1)});
+  merge_close_points(manifold, std::min(length<S>(d), length<S>(e)));
   return manifold;
 }
 // [/hull-edges]
@@ -181,7 +185,9 @@ concept FacetedBody = detail::IsFaceted<Body>::value;
 /// the clipped part within the margin is a point. The face must separate as much as the bodies are
 /// apart, and some point must be as close, both to within 2^-10 of the smaller core: else the
 /// bodies do not meet on the face. Then two parallel edges give the ends of their overlap, and all
-/// others the closest points.
+/// others the closest points. Of points that coincide the first stays, and of a face's points
+/// those between others are left out, both to within 2^-20 (float: 2^-12) of the smaller of the two
+/// faces or edges, so that rounding does not change their number.
 ///
 /// So the normal is a face's where a body lies on a face, also if rounding has tilted it; that of
 /// signed_distance() at edges and vertices. Where vertices or edges meet, many directions separate

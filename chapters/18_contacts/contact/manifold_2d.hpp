@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include <contact/close_points.hpp>
 #include <contact/manifold_point.hpp>
 #include <contact/polygon.hpp>
 #include <contact/signed_distance_result.hpp>
@@ -223,6 +224,13 @@ S extent(const Polygon<S>& polygon) {
 template <FloatOrDouble S>
 inline constexpr S reference_preference = S(0x1p-10);
 
+template <FloatOrDouble S>
+S edge_length(const Polygon<S>& polygon, int edge) {
+  const std::size_t from = std::size_t(edge), to = (from + 1) % polygon.size();
+  const Vector2<S> along = polygon[to] - polygon[from];
+  return std::sqrt(along.dot(along));
+}
+
 /// The manifold of polygons of an ordinary size.
 template <FloatOrDouble S>
 ContactManifold2d<S> manifold_2d(const Polygon<S>& a, const Polygon<S>& b, const S& margin,
@@ -254,6 +262,8 @@ ContactManifold2d<S> manifold_2d(const Polygon<S>& a, const Polygon<S>& b, const
                                a_is_reference ? features : exchanged(features)});
     deepest = std::min(deepest, p.height);
   }
+  merge_close_points(manifold,
+                     std::min(edge_length(reference, best.edge), edge_length(incident, other)));
   const S room = reference_preference<S> * std::min(extent(a), extent(b));
   if (deepest <= distance + room) return manifold;
   manifold.points.clear();
