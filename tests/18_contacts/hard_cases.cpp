@@ -8,6 +8,13 @@
 // points of two bodies; class (a), by counting corners and clipping polygons in fractions. A count
 // is right if it is equal. "normal": how far two boxes are apart along the best of fifteen axes;
 // class (b).
+//
+// "support", "pieces" and "points in the plane": where two bodies rest on each other; class (a),
+// the vertices of the common part of two faces or edges in fractions, without those that coincide
+// or lie between others to within 2^-20 of the smaller face. A method is right if it has as many
+// points, each within 2^-16, and the normal within 2^-9. "four points": the largest area that four
+// points can hold; class (a). "same point": which point was at the same corner in the previous
+// step; class (a).
 #include "support/hard_cases.hpp"
 
 #include <contact/contact_lcp.hpp>
@@ -15,9 +22,13 @@
 #include <vector>
 
 #include "hard_boxes.hpp"
+#include "hard_choices.hpp"
 #include "hard_friction.hpp"
 #include "hard_invariants.hpp"
+#include "hard_pieces.hpp"
+#include "hard_polygons.hpp"
 #include "hard_problem.hpp"
+#include "hard_regions.hpp"
 
 using hard_cases::Case;
 using hard_cases::Json;
@@ -91,5 +102,9 @@ int main(int argc, char** argv) {
   hard_friction::add(runner);
   hard_invariants::add(runner);
   hard_boxes::add(runner);
+  hard_regions::add(runner);
+  hard_pieces::add(runner);
+  hard_polygons::add(runner);
+  hard_choices::add(runner);
   return runner.run(argc, argv);
 }

@@ -201,6 +201,36 @@ TEST_CASE("a wedge in a groove has a contact, although its edge is inside") {
   }
 }
 
+TEST_CASE(
+    "compound bodies have a contact whenever two of their pieces have, in every run the same") {
+  Random random(1864);
+  const Compound floor = floor_of(true);
+  for (int i = 0; i < tried(60); ++i) {
+    const V at(random.integer(-2, 2) / 2.0, random.integer(-2, 2) / 2.0, random.uniform(-0.2, 0.6));
+    const Compound body{{block(at, V(0.5, 0.25, 0.25), random.uniform(-1, 1)),
+                         block(V(at + V(0, 0, 0.5)), V(0.25, 0.25, 0.25), 0)}};
+    const Compound& other = i % 2 == 0 ? floor : ell;
+    bool touches = false;
+    for (const Hull& one : body.pieces) {
+      for (const Hull& piece : other.pieces) {
+        touches = touches || !contact::contact_manifold(one, piece, 0.01).points.empty();
+      }
+    }
+    const Pairs found = compound_contacts(body, other, 0.01);
+    CHECK(found.empty() == !touches);
+    for (const auto& pair : found) CHECK_FALSE(pair.manifold.points.empty());
+    const Pairs again = compound_contacts(body, other, 0.01);
+    REQUIRE(again.size() == found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      CHECK(again[k].manifold.normal == found[k].manifold.normal);
+      REQUIRE(again[k].manifold.points.size() == found[k].manifold.points.size());
+      for (std::size_t p = 0; p < found[k].manifold.points.size(); ++p) {
+        CHECK(again[k].manifold.points[p].point == found[k].manifold.points[p].point);
+      }
+    }
+  }
+}
+
 TEST_CASE("several points between the same two bodies: a table with four legs") {
   Compound table{{cuboid(V(-1, -1, 1), V(1, 1, 1.1))}};
   for (const double x : {-0.9, 0.8}) {

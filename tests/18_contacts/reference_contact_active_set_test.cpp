@@ -111,7 +111,7 @@ TEST_CASE("a row of light balls between heavy ones: iterations do not converge, 
   CHECK(swept.report.last_change > 1e-3);
   const auto got = contact::solve_active_set<double>(bodies, contacts, swept.impulses);
   REQUIRE(got.has_value());
-  CHECK(std::abs(energy(got->bodies) / energy(bodies) - 1) < 1e-9);
+  CHECK(std::abs(energy(got->bodies) / energy(bodies) - 1) < 1e-8);  // of masses 1 : 10⁶
   for (const auto& c : contacts)
     CHECK(contact::contact_velocity(got->bodies, c) >= c.min_velocity - 1e-7);
 }

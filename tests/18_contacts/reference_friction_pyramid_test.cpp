@@ -56,6 +56,33 @@ TEST_CASE("the pyramid is up to √2 too strong, and up to 45° off") {
   CHECK(contact::pyramid_error<double>(V2(0, 0)).magnitude == 1);
 }
 
+TEST_CASE("friction and slip may be as large or as small as numbers can be") {
+  const auto cone = FrictionBound::cone;
+  const double half = std::sqrt(0.5);
+  const V2 large = bounded_friction<double>(cone, V2(1.7e308, -1.7e308), 1);
+  CHECK((large - V2(half, -half)).norm() <= 4 * u);
+  CHECK(bounded_friction<double>(cone, V2(1.7e308, 1.7e308), 1.7e308).norm() > 0);
+  CHECK(bounded_friction<double>(cone, V2(5e-324, 0), 0) == V2(0, 0));
+  const double far = sliding_friction<double>(cone, V2(-1.7e308, 1.7e308), 1).x();
+  CHECK(std::abs(far - half) <= 4 * u);
+  // Slips of two and one times the smallest number.
+  const auto small = contact::pyramid_error<double>(V2(1e-323, 5e-324));
+  CHECK(std::abs(small.cosine - 3 / std::sqrt(10.0)) <= 8 * u);
+  Random random(1843);
+  for (int i = 0; i < tried(1000); ++i) {
+    const V2 slip{double(random.integer(-9, 9)), double(random.integer(1, 9))};
+    const auto right = contact::pyramid_error<double>(slip);
+    const V2 friction = bounded_friction<double>(cone, slip * 0x1p-1074, 0x1p-1022);
+    CHECK(friction == V2(slip * 0x1p-1074));  // inside the disc
+    for (const double scale : {0x1p-1074, 0x1p-1000, 0x1p1000, 0x1p1020}) {
+      const auto got = contact::pyramid_error<double>(V2(slip * scale));
+      CHECK(std::abs(got.cosine - right.cosine) <= 8 * u);
+      const V2 sliding = sliding_friction<double>(cone, V2(slip * scale), 1);
+      CHECK((sliding - sliding_friction<double>(cone, slip, 1)).norm() <= 8 * u);
+    }
+  }
+}
+
 TEST_CASE("in the iterations the pyramid depends on the direction, and the cone does not") {
   // A body without rotation slides at an angle; the first tangent of this normal is along y.
   const auto speed_lost = [](FrictionBound bound, const V& slip) {

@@ -302,6 +302,85 @@ TEST_CASE("the features of a point do not depend on which polygon has the refere
   }
 }
 
+namespace {
+
+/// The polygon with vertices in the middle of its sides, up to rounding.
+P with_middles(Random& random, const P& polygon) {
+  P made;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const V2 next = polygon[(i + 1) % polygon.size()];
+    made.push_back(polygon[i]);
+    if (random.chance(0.2)) made.push_back(polygon[i]);  // twice
+    const double part = random.uniform(0.1, 0.9);
+    if (random.chance(0.7)) made.emplace_back(polygon[i] + (next - polygon[i]) * part);
+  }
+  const int first = random.integer(0, int(made.size()) - 1);
+  std::rotate(made.begin(), made.begin() + first, made.end());
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a box on ground with a vertex in the middle of its side has the points of its own ends") {
+  for (const double depth : {1.0, 1000.0}) {
+    const P ground{V2(-10, -depth), V2(10, -depth), V2(10, 0), V2(0, 0), V2(-10, 0)};
+    for (const double left : {-5.0, -7.0, 2.0, -1.0}) {
+      for (const double width : {2.0, 4.0, 8.0}) {
+        const double right = std::min(left + width, 10.0);
+        const P box = rectangle(left, 0, right, 2);
+        const auto manifold = contact::contact_manifold_2d(box, ground, 0.0);
+        CHECK(manifold.normal == V2(0, 1));
+        REQUIRE(manifold.points.size() == 2);
+        const double x = manifold.points[0].point.x();
+        const double y = manifold.points[1].point.x();
+        CHECK(std::min(x, y) == left);
+        CHECK(std::max(x, y) == right);
+        for (const auto& p : manifold.points) {
+          CHECK(p.distance == 0);
+          CHECK(p.features ==
+                PointFeatures{vertex_feature(p.point.x() == left ? 0 : 1), edge_feature(2, 4)});
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("vertices in the middle of sides do not change the manifold, up to rounding") {
+  Random random(1826);
+  int two = 0;
+  for (int i = 0; i < tried(3000); ++i) {
+    Pair pair = near_pair(random);
+    if (random.chance(0.5)) {  // a side on a side
+      const V2 turn = V2(pair.b[1] - pair.b[0]).normalized();
+      pair.b = rotated(rectangle(-2, -1, 2, 0), turn);
+      const double left = random.uniform(-3, 1);
+      pair.a = rotated(rectangle(left, 0x1p-20, left + random.uniform(0.5, 3), 1), turn);
+    }
+    const auto right = contact::contact_manifold_2d(pair.a, pair.b, pair.margin);
+    const P a = with_middles(random, pair.a);
+    const P b = with_middles(random, pair.b);
+    const auto got = contact::contact_manifold_2d(a, b, pair.margin);
+    if (got.points.size() != right.points.size()) {
+      // Only where a distance is the margin, or two separations are equal, up to rounding.
+      const double least = signed_distance(pair.a, pair.b);
+      CHECK(std::abs(least - pair.margin) <= 0x1p-8);
+      continue;
+    }
+    two += got.points.size() == 2 ? 1 : 0;
+    const bool flipped = got.normal.dot(right.normal) < 0.999;
+    CHECK_FALSE(flipped);
+    for (const auto& p : right.points) {
+      double nearest = 1;
+      for (const auto& q : got.points) {
+        nearest = std::min(nearest, (p.point - q.point).norm() + std::abs(p.distance - q.distance));
+      }
+      CHECK(nearest <= 1e-12);
+    }
+  }
+  CHECK(two > tried(300));
+}
+
 TEST_CASE("polygons that are none have no contact") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -312,6 +391,7 @@ TEST_CASE("polygons that are none have no contact") {
     CHECK(contact::contact_manifold_2d(bad, good, 1.0).points.empty());
   }
   CHECK(contact::contact_manifold_2d(good, rectangle(0.5, 0.5, 2, 2), nan).points.empty());
+  CHECK(contact::contact_manifold_2d(good, rectangle(0.5, 0.5, 2, 2), infinity).points.empty());
 }
 
 TEST_CASE("polygons in float have the manifold of those in double, but for rounding") {

@@ -150,6 +150,50 @@ TEST_CASE("reducing keeps the deepest point and the load, wherever the points li
   CHECK(lost_by_depth > tried(50));
 }
 
+TEST_CASE("a vertex that the load needs is kept, also if its triangle's area rounds to 0") {
+  const V corner(0.34917319323610124, 0.24952045885768248, 0);
+  Manifold manifold;
+  manifold.normal = V(0, 0, 1);
+  for (const V& p : {V(0, 0, 0), corner, V(0.69626196546029240, 0.49755138272980637, 0),
+                     V(0.1, 0.35, 0), V(0.3, 0.25, 0)}) {
+    manifold.points.push_back({p, p == V(0, 0, 0) ? -1.0 : 0.0, {}});
+  }
+  for (const V& load : {corner, V(0.2, 0.25, 0)}) {
+    Manifold at_load = manifold;
+    at_load.points = {{load, 0, {}}};
+    const V2 seen = flat(at_load)[0];
+    REQUIRE(contains(flat(manifold), seen));
+    CHECK(contains(flat(reduced_manifold(manifold, load)), seen));
+  }
+}
+
+TEST_CASE("an octagon of any size is reduced as one of radius 1 is") {
+  const auto octagon = [](double scale, std::size_t deep) {
+    Manifold manifold;
+    manifold.normal = V(0, 0, 1);
+    for (std::size_t i = 0; i < 8; ++i) {
+      const double angle = std::acos(-1.0) / 4 * double(i);
+      const V p(std::cos(angle), std::sin(angle), 0);
+      manifold.points.push_back({p * scale, i == deep ? -1.0 : 0.0, {vertex_feature(int(i)), {}}});
+    }
+    if (deep == 8) manifold.points.push_back({V(0, 0, 0), -1, {vertex_feature(8), {}}});
+    return manifold;
+  };
+  for (const std::size_t deep : {std::size_t(0), std::size_t(3), std::size_t(8)}) {
+    for (const V& load : {V(0.9, 0, 0), V(-0.6, 0.65, 0), V(3, 0, 0)}) {
+      const Manifold right = reduced_manifold(octagon(1, deep), load);
+      CHECK(right.points.size() == 4);
+      for (const double scale : {0x1p-900, 0x1p-565, 0x1p520, 0x1p1022}) {
+        const Manifold got = reduced_manifold(octagon(scale, deep), V(load * scale));
+        REQUIRE(got.points.size() == right.points.size());
+        for (std::size_t i = 0; i < got.points.size(); ++i) {
+          CHECK(got.points[i].features == right.points[i].features);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("of a regular octagon four points keep 1/√2 of the area") {
   Manifold manifold;
   manifold.normal = V(0, 0, 1);
@@ -199,6 +243,13 @@ TEST_CASE("a manifold of at most four points, or that is not finite, is not redu
   Manifold bad = manifold;
   bad.points[1].point.x() = nan;
   CHECK(reduced_manifold(bad, V(0, 0, 0)).points.size() == count);
+  bad = manifold;
+  bad.points[2].distance = nan;
+  CHECK(reduced_manifold(bad, V(0, 0, 0)).points.size() == count);
+  const double large = std::numeric_limits<double>::max();
+  Manifold oblique = manifold;
+  oblique.normal = V(0.6, 0, 0.8);
+  CHECK(reduced_manifold(oblique, V(large, large, -large)).points.size() <= count);
   manifold.points.resize(4);
   CHECK(reduced_manifold(manifold, V(5, 5, 5)).points.size() == 4);
 }

@@ -1,4 +1,5 @@
 // two_contacts.hpp and contact_block.hpp: two contacts by cases, exactly, and in one iteration.
+#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -100,6 +101,53 @@ TEST_CASE("two contacts in doubles: the exact case, and impulses with all digits
     CHECK(abs(Rational(oracle::exact(got->first) - right->first)) <= room * right->first);
     CHECK(abs(Rational(oracle::exact(got->second) - right->second)) <= room * right->second);
   }
+}
+
+TEST_CASE("two contacts of any size: the exact case, and impulses with all digits or refused") {
+  Random random(1835);
+  const Rational largest = oracle::exact(std::numeric_limits<double>::max());
+  const Rational smallest = oracle::exact(std::numeric_limits<double>::denorm_min());
+  const Rational room = oracle::exact(8 * reference::u);
+  std::array<int, 5> seen{};
+  for (int i = 0; i < tried(4000); ++i) {
+    auto m = any_matrix(random);
+    if (m.second > 0 && random.chance(0.2)) m.second = std::nextafter(m.second, 1e300);
+    const int p = random.integer(-480, 480);
+    const int q = random.chance(0.3) ? p : random.integer(-480, 480);
+    m = {std::ldexp(m.first, 2 * p), std::ldexp(m.coupling, p + q), std::ldexp(m.second, 2 * q)};
+    const int size = random.integer(-900, 900);
+    const double v = std::ldexp(random.integer(-9, 9), std::clamp(size + p, -1070, 1015));
+    const double w = std::ldexp(random.integer(-9, 9), std::clamp(size + q, -1070, 1015));
+    const auto right =
+        solve_two_contacts<Rational>(fractions(m), oracle::exact(v), oracle::exact(w));
+    if (right && (right->first > largest || right->second > largest)) {
+      CHECK(contains(refusal([&] { solve_two_contacts<double>(m, v, w); }), "overflow"));
+      ++seen[4];
+      continue;
+    }
+    const auto got = solve_two_contacts<double>(m, v, w);
+    REQUIRE(got.has_value() == right.has_value());
+    if (!got) continue;
+    ++seen[static_cast<std::size_t>(got->pushes)];
+    CHECK(got->pushes == right->pushes);
+    const auto off = [&](double x, const Rational& exact) {
+      return abs(Rational(oracle::exact(x) - exact)) <= room * exact + smallest;
+    };
+    CHECK(off(got->first, right->first));
+    CHECK(off(got->second, right->second));
+  }
+  for (const int count : seen) CHECK(count > tried(50));
+}
+
+TEST_CASE("impulses of very heavy and very light bodies are not lost") {
+  const auto heavy = solve_two_contacts<double>({1e-160, -0.5e-160, 1e-160}, -1, -1);
+  CHECK(std::abs(heavy->first - 2e160) <= 1e145);
+  CHECK(solve_two_contacts<double>({1e-170, 0, 1e-170}, -1, -1)->first == 1 / 1e-170);
+  CHECK(solve_two_contacts<double>({1e160, 0, 1e160}, -1, -1)->first == 1 / 1e160);
+  const auto fast = solve_two_contacts<double>({1e200, 1e100, 1e200}, -1e200, -1e200);
+  CHECK(std::abs(fast->second - 1) <= 1e-15);
+  // In single precision too.
+  CHECK(solve_two_contacts<float>({1e-25f, 0, 1e-25f}, -1, -1)->first == 1 / 1e-25f);
 }
 
 TEST_CASE("a box that falls flat stops, and a tilted one is pushed at one corner") {

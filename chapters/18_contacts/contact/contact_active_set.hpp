@@ -33,6 +33,32 @@ inline constexpr double max_rounding = 0x1p-10;
 
 namespace detail {
 
+/// The largest number of rows that eliminate() takes in the order of the list.
+inline constexpr int max_rows_in_order = 192;
+
+/// Iterative refinement of y in the chosen rows, with a factorisation of them.
+/// @param number place of each row in the factorisation
+/// @return whether the solve succeeded
+template <std::floating_point S, class Factors>
+bool refine(const Factors& eliminated, const ImpulseRows<S>& problem,
+            const std::vector<bool>& chosen, const std::vector<int>& number, Numbers<S>& y) {
+  if (eliminated.info() != Eigen::Success) return false;
+  S last = std::numeric_limits<S>::infinity();
+  for (int round = 0; round < 8; ++round) {
+    const Numbers<S> wrong = problem.matrix * y + problem.constant;
+    Numbers<S> right(eliminated.rows());
+    for (std::size_t r = 0; r < chosen.size(); ++r)
+      if (chosen[r]) right(number[r]) = -wrong(static_cast<Eigen::Index>(r));
+    const S left = right.cwiseAbs().maxCoeff();
+    if (!(left < last / S(2))) break;
+    last = left;
+    const Numbers<S> change = eliminated.solve(right);
+    for (std::size_t r = 0; r < chosen.size(); ++r)
+      if (chosen[r]) y(static_cast<Eigen::Index>(r)) += change(number[r]);
+  }
+  return y.allFinite();
+}
+
 // [eliminate]
 /// Solves M y + c = 0 in the chosen rows, for y in these rows.
 ///
@@ -48,33 +74,26 @@ bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, N
     if (chosen[r]) number[r] = rows++;
   if (rows == 0) return true;
   const S little = S(0x1p16) * std::numeric_limits<S>::epsilon();
-  std::vector<Eigen::Triplet<S>> entries;
+  Eigen::SparseMatrix<S> part(rows, rows);  // on and below the diagonal
+  part.reserve(problem.matrix.nonZeros() / 2 + rows);
   for (int k = 0; k < problem.matrix.outerSize(); ++k) {
+    const int column = number[static_cast<std::size_t>(k)];
+    if (column < 0) continue;
+    part.startVec(column);
     for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
       const int row = number[static_cast<std::size_t>(it.row())];
-      const int column = number[static_cast<std::size_t>(it.col())];
-      if (row < 0 || column < 0) continue;
-      entries.emplace_back(row, column, row == column ? it.value() + little : it.value());
+      if (row >= column)
+        part.insertBack(row, column) = row == column ? it.value() + little : it.value();
     }
   }
-  Eigen::SparseMatrix<S> part(rows, rows);
-  part.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>> eliminated(part);
-  if (eliminated.info() != Eigen::Success) return false;
-  S last = std::numeric_limits<S>::infinity();
-  for (int round = 0; round < 8; ++round) {
-    const Numbers<S> wrong = problem.matrix * y + problem.constant;
-    Numbers<S> right(rows);
-    for (std::size_t r = 0; r < chosen.size(); ++r)
-      if (chosen[r]) right(number[r]) = -wrong(static_cast<Eigen::Index>(r));
-    const S left = right.cwiseAbs().maxCoeff();
-    if (!(left < last / S(2))) break;
-    last = left;
-    const Numbers<S> change = eliminated.solve(right);
-    for (std::size_t r = 0; r < chosen.size(); ++r)
-      if (chosen[r]) y(static_cast<Eigen::Index>(r)) += change(number[r]);
-  }
-  return y.allFinite();
+  part.finalize();
+  // Few rows are eliminated in the order of the list: another would cost more than it saves.
+  if (rows <= max_rows_in_order)
+    return refine<S>(
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>, Eigen::Lower, Eigen::NaturalOrdering<int>>(
+            part),
+        problem, chosen, number, y);
+  return refine<S>(Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>>(part), problem, chosen, number, y);
 }
 // [/eliminate]
 
@@ -185,12 +204,117 @@ bool projected_newton(const ImpulseRows<S>& problem, const std::vector<bool>& fr
 
 }  // namespace detail
 
-// [finish]
 /// The law of friction of the active-set solve.
 enum class FrictionLaw {
   coulomb,  ///< opposite to the slip: see solve_friction_newton()
   cones     ///< inside its cone, while sliding contacts open: see solve_friction_cones()
 };
+
+namespace detail {
+
+// [finish]
+/// active_set_impulses() of prepared contacts.
+template <std::floating_point S>
+std::optional<std::vector<ContactImpulse<S>>> active_set_of(
+    const std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& prepared,
+    const std::vector<ContactImpulse<S>>& start, FrictionLaw law) {
+  const auto problem = impulse_rows<S>(bodies, prepared);
+  if (!problem) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(problem->rows.size());
+  const bool has_friction = problem->rows.size() > prepared.size();
+  Numbers<S> y(count);
+  std::vector<bool> holds(problem->rows.size());
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
+    const ContactImpulse<S>& impulse = start[row.contact];
+    y(r) = (row.normal ? impulse.normal : impulse.tangential.dot(row.direction)) / row.unit;
+    holds[static_cast<std::size_t>(r)] = !row.normal && impulse.normal > S(0);
+  }
+  if (law == FrictionLaw::cones) {
+    solve_friction_cones<S>(*problem, false, y);
+  } else {
+    const Numbers<S> swept = y;
+    if (!projected_newton<S>(*problem, holds, y)) return std::nullopt;
+    if (has_friction && !obeys_coulomb<S>(*problem, y)) {
+      y = swept;
+      if (!solve_friction<S>(*problem, y)) return std::nullopt;
+    }
+  }
+  std::vector<ContactImpulse<S>> found(prepared.size());
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
+    ContactImpulse<S>& impulse = found[row.contact];
+    if (row.normal)
+      impulse.normal = y(r) * row.unit;
+    else
+      impulse.tangential += row.direction * (y(r) * row.unit);
+  }
+  return found;
+}
+// [/finish]
+
+// [finish-contacts]
+/// solve_active_set() of prepared contacts.
+template <std::floating_point S>
+std::optional<SolvedContacts<S>> solve_active_set_of(
+    const std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& prepared,
+    const std::vector<ContactImpulse<S>>& start, FrictionLaw law, const S& tolerance) {
+  const std::vector<PreparedContact<S>> soft = softened(prepared);
+  S fastest(0);
+  for (const PreparedContact<S>& p : prepared)
+    fastest = std::max(fastest, std::abs(contact_velocity<S>(bodies, p.contact)));
+  S mass(0);
+  bool has_friction = false;
+  for (const RigidBody<S>& body : bodies) mass += body.inverse_mass > S(0) ? body.mass : S(0);
+  for (const PreparedContact<S>& p : prepared)
+    has_friction = has_friction || p.contact.friction > S(0);
+  const auto jams = [&](const ImpulseComponents<S>& impulse) {
+    return has_friction && impulse[0] > S(max_leverage) * fastest * mass;
+  };
+  const auto closing = [&](const std::vector<ImpulseComponents<S>>& impulses,
+                           const std::vector<PreparedContact<S>>& wanted) {
+    const auto after = after_impulses<S>(bodies, prepared, impulses);
+    S most(0);
+    for (const PreparedContact<S>& p : wanted)
+      most = std::max(most, p.contact.min_velocity - contact_velocity<S>(after, p.contact));
+    return most;
+  };
+  const auto before = clamped_impulses<S>(prepared, start);
+  const auto better = [&](const std::vector<PreparedContact<S>>& wanted)
+      -> std::optional<std::vector<ImpulseComponents<S>>> {
+    const auto found = active_set_of<S>(bodies, wanted, start, law);
+    if (!found) return std::nullopt;
+    auto impulses_found = clamped_impulses<S>(prepared, *found);
+    if (std::any_of(impulses_found.begin(), impulses_found.end(), jams)) return std::nullopt;
+    const S rounding = std::clamp(impulse_rounding<S>(bodies, prepared, impulses_found),
+                                  std::sqrt(std::numeric_limits<S>::epsilon()) * fastest,
+                                  S(max_rounding) * fastest);
+    if (closing(impulses_found, wanted) > closing(before, wanted) + rounding) return std::nullopt;
+    return impulses_found;
+  };
+  const auto makes_energy = [&](const std::vector<ImpulseComponents<S>>& impulses) {
+    const auto after = after_impulses<S>(bodies, prepared, impulses);
+    return energy_made<S>(bodies, after, prepared, impulses) > S(0);
+  };
+  const auto found = better(prepared);
+  if (!found) return std::nullopt;
+  auto stopped = found;
+  if (makes_energy(*found)) {
+    stopped = better(soft);
+    if (!stopped || makes_energy(*stopped)) return std::nullopt;
+  }
+  auto solved = solved_by<S>(
+      bodies, prepared, *found, [&] { return *stopped; }, tolerance);
+  for (const PreparedContact<S>& p : soft) {
+    solved.report.last_change =
+        std::max(solved.report.last_change,
+                 p.contact.min_velocity - contact_velocity<S>(solved.bodies, p.contact));
+  }
+  return solved;
+}
+// [/finish-contacts]
+
+}  // namespace detail
 
 /// The impulses to which the iterations of solve_contacts() would converge, or closer to them.
 ///
@@ -214,42 +338,9 @@ template <std::floating_point S>
 std::optional<std::vector<ContactImpulse<S>>> active_set_impulses(
     const std::vector<RigidBody<S>>& bodies, const std::vector<BodyContact<S>>& contacts,
     const std::vector<ContactImpulse<S>>& start, FrictionLaw law = FrictionLaw::coulomb) {
-  const auto problem = detail::impulse_rows<S>(bodies, contacts);
-  if (!problem) return std::nullopt;
-  const auto count = static_cast<Eigen::Index>(problem->rows.size());
-  const bool has_friction = problem->rows.size() > contacts.size();
-  detail::Numbers<S> y(count);
-  std::vector<bool> holds(problem->rows.size());
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const detail::ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
-    const ContactImpulse<S>& impulse = start[row.contact];
-    y(r) = (row.normal ? impulse.normal : impulse.tangential.dot(row.direction)) / row.unit;
-    holds[static_cast<std::size_t>(r)] = !row.normal && impulse.normal > S(0);
-  }
-  if (law == FrictionLaw::cones) {
-    detail::solve_friction_cones<S>(*problem, false, y);
-  } else {
-    const detail::Numbers<S> swept = y;
-    if (!detail::projected_newton<S>(*problem, holds, y)) return std::nullopt;
-    if (has_friction && !detail::obeys_coulomb<S>(*problem, y)) {
-      y = swept;
-      if (!detail::solve_friction<S>(*problem, y)) return std::nullopt;
-    }
-  }
-  std::vector<ContactImpulse<S>> found(contacts.size());
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const detail::ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
-    ContactImpulse<S>& impulse = found[row.contact];
-    if (row.normal)
-      impulse.normal = y(r) * row.unit;
-    else
-      impulse.tangential += row.direction * (y(r) * row.unit);
-  }
-  return found;
+  return detail::active_set_of(bodies, detail::prepared_contacts<S>(bodies, contacts), start, law);
 }
-// [/finish]
 
-// [finish-contacts]
 /// The result to which solve_contacts() would converge, or closer to it, from the impulses of its
 /// iterations.
 /// @param tolerance m/s; for `settled` of the report, as for solve_contacts()
@@ -262,59 +353,8 @@ std::optional<SolvedContacts<S>> solve_active_set(const std::vector<RigidBody<S>
                                                   const std::vector<ContactImpulse<S>>& start,
                                                   FrictionLaw law = FrictionLaw::coulomb,
                                                   const S& tolerance = S(1e-12)) {
-  const auto prepared = detail::prepared_contacts<S>(bodies, contacts);
-  std::vector<BodyContact<S>> soft = contacts;
-  for (BodyContact<S>& c : soft) c.min_velocity = std::min(c.min_velocity, S(0));
-  S fastest(0);
-  for (const BodyContact<S>& c : contacts)
-    fastest = std::max(fastest, std::abs(contact_velocity<S>(bodies, c)));
-  S mass(0);
-  bool has_friction = false;
-  for (const RigidBody<S>& body : bodies) mass += body.inverse_mass > S(0) ? body.mass : S(0);
-  for (const BodyContact<S>& c : contacts) has_friction = has_friction || c.friction > S(0);
-  const auto jams = [&](const detail::ImpulseComponents<S>& impulse) {
-    return has_friction && impulse[0] > S(max_leverage) * fastest * mass;
-  };
-  const auto closing = [&](const std::vector<detail::ImpulseComponents<S>>& impulses,
-                           const std::vector<BodyContact<S>>& wanted) {
-    const auto after = detail::after_impulses<S>(bodies, prepared, impulses);
-    S most(0);
-    for (const BodyContact<S>& c : wanted)
-      most = std::max(most, c.min_velocity - contact_velocity<S>(after, c));
-    return most;
-  };
-  const auto before = detail::clamped_impulses<S>(prepared, start);
-  const auto better = [&](const std::vector<BodyContact<S>>& wanted)
-      -> std::optional<std::vector<detail::ImpulseComponents<S>>> {
-    const auto found = active_set_impulses<S>(bodies, wanted, start, law);
-    if (!found) return std::nullopt;
-    auto impulses_found = detail::clamped_impulses<S>(prepared, *found);
-    if (std::any_of(impulses_found.begin(), impulses_found.end(), jams)) return std::nullopt;
-    const S rounding = std::clamp(detail::impulse_rounding<S>(bodies, prepared, impulses_found),
-                                  std::sqrt(std::numeric_limits<S>::epsilon()) * fastest,
-                                  S(max_rounding) * fastest);
-    if (closing(impulses_found, wanted) > closing(before, wanted) + rounding) return std::nullopt;
-    return impulses_found;
-  };
-  const auto makes_energy = [&](const std::vector<detail::ImpulseComponents<S>>& impulses) {
-    const auto after = detail::after_impulses<S>(bodies, prepared, impulses);
-    return detail::energy_made<S>(bodies, after, prepared, impulses) > S(0);
-  };
-  const auto found = better(contacts);
-  if (!found) return std::nullopt;
-  auto stopped = found;
-  if (makes_energy(*found)) {
-    stopped = better(soft);
-    if (!stopped || makes_energy(*stopped)) return std::nullopt;
-  }
-  auto solved = detail::solved_by<S>(
-      bodies, prepared, *found, [&] { return *stopped; }, tolerance);
-  for (const BodyContact<S>& c : soft) {
-    solved.report.last_change =
-        std::max(solved.report.last_change, c.min_velocity - contact_velocity<S>(solved.bodies, c));
-  }
-  return solved;
+  return detail::solve_active_set_of(bodies, detail::prepared_contacts<S>(bodies, contacts), start,
+                                     law, tolerance);
 }
-// [/finish-contacts]
 
 }  // namespace contact

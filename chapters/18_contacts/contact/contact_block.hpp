@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <contact/contact_iterations.hpp>
@@ -24,7 +25,17 @@ struct ContactBlock {
   std::size_t first = 0;
   bool two = false;
   TwoContactMatrix<S> matrix;  ///< of the two normals
+  bool regular = false;        ///< whether the determinant of the matrix is more than rounding
 };
+
+/// Whether the determinant of a rounded matrix is more than rounding may make of 0. The bound is
+/// for entries off by up to 32 u, which is far more than they usually are.
+template <std::floating_point S>
+bool is_regular(const TwoContactMatrix<S>& matrix) {
+  const S determinant_share =
+      S(1) - (matrix.coupling / matrix.first) * (matrix.coupling / matrix.second);
+  return determinant_share > S(64) * std::numeric_limits<S>::epsilon();
+}
 
 /// The list of contacts as blocks.
 /// @param pairs whether there are blocks of two
@@ -34,7 +45,7 @@ std::vector<ContactBlock<S>> contact_blocks(const std::vector<RigidBody<S>>& bod
                                             bool pairs) {
   std::vector<ContactBlock<S>> blocks;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    ContactBlock<S> block{i, false, {}};
+    ContactBlock<S> block{i, false, {}, false};
     const BodyContact<S>& c = contacts[i].contact;
     if (pairs && i + 1 < contacts.size() && contacts[i].inverse_normal_mass > S(0) &&
         contacts[i + 1].contact.a == c.a && contacts[i + 1].contact.b == c.b) {
@@ -46,6 +57,7 @@ std::vector<ContactBlock<S>> contact_blocks(const std::vector<RigidBody<S>>& bod
       block.two = true;
       block.matrix = {contacts[i].inverse_normal_mass, coupling(c.a) + coupling(c.b),
                       contacts[i + 1].inverse_normal_mass};
+      block.regular = is_regular(block.matrix);
       ++i;
     }
     blocks.push_back(block);
@@ -60,11 +72,13 @@ std::vector<ContactBlock<S>> contact_blocks(const std::vector<RigidBody<S>>& bod
 /// The accumulated normal impulses solve the linear complementarity problem of the two, with the
 /// impulses of all other contacts as they are: the minimum of the energy function over both, to
 /// which one after the other goes in steps. If there is none (two contacts that oppose each other),
-/// they are updated one after the other.
+/// they are updated one after the other; also if both push and the matrix may be singular, because
+/// impulses divided by a determinant that is only rounding would be arbitrarily large.
 template <std::floating_point S>
 S relax_two(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& one,
-            const PreparedContact<S>& two, const TwoContactMatrix<S>& matrix,
-            ImpulseComponents<S>& x, ImpulseComponents<S>& y, const S& relaxation) {
+            const PreparedContact<S>& two, const ContactBlock<S>& block, ImpulseComponents<S>& x,
+            ImpulseComponents<S>& y, const S& relaxation) {
+  const TwoContactMatrix<S>& matrix = block.matrix;
   const S first = relax_friction(bodies, one, x, relaxation);
   const S friction = std::max(first, relax_friction(bodies, two, y, relaxation));
   const auto opening = [&](const PreparedContact<S>& p) {
@@ -72,7 +86,8 @@ S relax_two(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& one,
   };
   const S v = opening(one) - (matrix.first * x[0] + matrix.coupling * y[0]);
   const S w = opening(two) - (matrix.coupling * x[0] + matrix.second * y[0]);
-  const auto solved = solve_two_contacts<S>(matrix, v, w);
+  auto solved = solve_two_contacts<S>(matrix, v, w);
+  if (solved && solved->pushes == TwoContactCase::both && !block.regular) solved.reset();
   const S normal =
       solved ? change_normal(bodies, one, x, solved->first) : relax_normal(bodies, one, x, S(1));
   const S other =
@@ -92,8 +107,8 @@ S block_iteration(std::vector<RigidBody<S>>& bodies,
   for (const ContactBlock<S>& block : blocks) {
     const std::size_t i = block.first;
     if (!(contacts[i].inverse_normal_mass > S(0))) continue;  // two immovable bodies
-    const S change = block.two ? relax_two(bodies, contacts[i], contacts[i + 1], block.matrix,
-                                           impulses[i], impulses[i + 1], relaxation)
+    const S change = block.two ? relax_two(bodies, contacts[i], contacts[i + 1], block, impulses[i],
+                                           impulses[i + 1], relaxation)
                                : relax(bodies, contacts[i], impulses[i], relaxation);
     largest = std::max(largest, change);
   }

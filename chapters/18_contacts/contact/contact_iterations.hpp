@@ -184,6 +184,7 @@ S change_normal(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
   return change < S(0) ? std::max(largest, change_friction<S>(bodies, p, x, x[1], x[2])) : largest;
 }
 
+// [normal-visit]
 /// The normal impulse that brings the normal velocity to its minimum, while the accumulated impulse
 /// stays at 0 or more.
 template <std::floating_point S>
@@ -193,6 +194,7 @@ S relax_normal(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
   const S change = relaxation * (p.contact.min_velocity - velocity) / p.inverse_normal_mass;
   return change_normal<S>(bodies, p, x, std::max(S(0), x[0] + change));
 }
+// [/normal-visit]
 
 /// Updates the impulses of one contact. Returns the largest change of a velocity.
 ///

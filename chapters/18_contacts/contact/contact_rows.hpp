@@ -54,42 +54,71 @@ struct ImpulseRows {
   Numbers<S> constant;
 };
 
+/// What a unit impulse along a row changes on one of its bodies, and how the velocity along the row
+/// follows from the body's: the entry of two rows of a body is `arm` of one times `turn` of the
+/// other, plus the dot product of their directions by the inverse mass.
 template <std::floating_point S>
-std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodies,
-                                           const std::vector<BodyContact<S>>& contacts) {
-  ImpulseRows<S> made;
-  std::vector<std::vector<std::pair<int, bool>>> of(bodies.size());  // rows, whether towards A
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const BodyContact<S>& contact = contacts[i];
-    const PreparedContact<S> p = prepared<S>(bodies, contact);
+struct RowOnBody {
+  int row = 0;
+  Vector3<S> along = Vector3<S>::Zero();  ///< the row's direction times its scale, minus on B
+  Vector3<S> arm = Vector3<S>::Zero();    ///< lever arm × along
+  Vector3<S> turn = Vector3<S>::Zero();   ///< change of the angular velocity
+};
+
+/// The rows of all contacts with their scales, by bodies.
+/// @param prepared of the same bodies
+/// @return for each movable body its rows, in their order; nothing if two immovable bodies touch
+template <std::floating_point S>
+std::optional<std::vector<std::vector<RowOnBody<S>>>> rows_on_bodies(
+    const std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& prepared,
+    ImpulseRows<S>& made) {
+  std::vector<std::vector<RowOnBody<S>>> of(bodies.size());
+  for (std::size_t i = 0; i < prepared.size(); ++i) {
+    const PreparedContact<S>& p = prepared[i];
+    const BodyContact<S>& contact = p.contact;
     if (!(p.inverse_normal_mass > S(0))) return std::nullopt;  // two immovable bodies
     const S unit = S(1) / std::sqrt(p.inverse_normal_mass);
     const S across = S(1) / std::sqrt(p.inverse_tangent_mass);
     made.first.push_back(static_cast<int>(made.rows.size()));
     made.cone.push_back(contact.friction * unit / across);
     for (std::size_t k = 0; k < (contact.friction > S(0) ? 3 : 1); ++k) {
-      for (const auto& [body, towards] : {std::pair{contact.a, true}, std::pair{contact.b, false}})
-        if (bodies[index(body)].inverse_mass > S(0))
-          of[index(body)].push_back({static_cast<int>(made.rows.size()), towards});
-      made.rows.push_back({i, k == 0, p.direction[k], k == 0 ? unit : across});
+      const S scale = k == 0 ? unit : across;
+      for (const bool on_a : {true, false}) {
+        const std::size_t body = index(on_a ? contact.a : contact.b);
+        if (!(bodies[body].inverse_mass > S(0))) continue;
+        const Vector3<S> along = p.direction[k] * (on_a ? scale : -scale);
+        const Vector3<S> lever_arm = contact.point - bodies[body].position;
+        const Vector3<S> turn = (on_a ? p.angular_a : p.angular_b)[k] * (on_a ? scale : -scale);
+        of[body].push_back(
+            {static_cast<int>(made.rows.size()), along, lever_arm.cross(along), turn});
+      }
+      made.rows.push_back({i, k == 0, p.direction[k], scale});
     }
   }
+  return of;
+}
+
+/// @param prepared of the same bodies
+template <std::floating_point S>
+std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodies,
+                                           const std::vector<PreparedContact<S>>& prepared) {
+  ImpulseRows<S> made;
+  const auto of = rows_on_bodies(bodies, prepared, made);
+  if (!of) return std::nullopt;
   std::size_t couplings = 0;
-  for (const auto& list : of) couplings += list.size() * list.size();
-  const bool has_friction = made.rows.size() > contacts.size();
+  for (const auto& list : *of) couplings += list.size() * list.size();
+  const bool has_friction = made.rows.size() > prepared.size();
   if (couplings > (has_friction ? max_friction_couplings : max_couplings)) return std::nullopt;
-  std::vector<Eigen::Triplet<S>> entries;
+  std::vector<Eigen::Triplet<S>> entries;  // each and its mirror image: symmetric to the bit
   entries.reserve(couplings);
   for (std::size_t body = 0; body < bodies.size(); ++body) {
-    for (const auto& [row, towards] : of[body]) {
-      for (const auto& [column, other_towards] : of[body]) {
-        const ImpulseRow<S>& one = made.rows[index(row)];
-        const ImpulseRow<S>& two = made.rows[index(column)];
-        const S part =
-            body_inverse_effective_mass<S>(bodies[body], contacts[one.contact].point, one.direction,
-                                           contacts[two.contact].point, two.direction) *
-            one.unit * two.unit;
-        entries.emplace_back(row, column, towards == other_towards ? part : -part);
+    const std::vector<RowOnBody<S>>& list = (*of)[body];
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      for (std::size_t k = 0; k <= i; ++k) {
+        const S entry = list[i].along.dot(list[k].along) * bodies[body].inverse_mass +
+                        list[i].arm.dot(list[k].turn);
+        entries.emplace_back(list[i].row, list[k].row, entry);
+        if (i != k) entries.emplace_back(list[k].row, list[i].row, entry);
       }
     }
   }
@@ -99,7 +128,7 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
   made.constant.resize(count);
   for (Eigen::Index r = 0; r < count; ++r) {
     const ImpulseRow<S>& row = made.rows[static_cast<std::size_t>(r)];
-    const BodyContact<S>& contact = contacts[row.contact];
+    const BodyContact<S>& contact = prepared[row.contact].contact;
     const S now = row.direction.dot(relative_velocity(bodies, contact));
     made.constant(r) = row.unit * (row.normal ? now - contact.min_velocity : now);
   }

@@ -120,6 +120,38 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
   return solved;
 }
 
+/// The bodies after impulses with which iterations ended, and what they are worth: energy is kept
+/// (keep_energy(), or by solved_by() where there is restitution).
+/// @param report of the iterations
+template <std::floating_point S>
+SolvedContacts<S> solved_after(const std::vector<RigidBody<S>>& bodies,
+                               const std::vector<PreparedContact<S>>& prepared,
+                               std::vector<ImpulseComponents<S>> impulses,
+                               const SolverReport<S>& report, const SolverSettings<S>& limits) {
+  const bool bounces =
+      std::any_of(prepared.begin(), prepared.end(),
+                  [](const PreparedContact<S>& p) { return p.contact.min_velocity > S(0); });
+  bool reduced = !bounces && keep_energy(bodies, prepared, limits, impulses);
+  const auto stop = [&] {
+    const auto soft = softened(prepared);
+    std::vector<ImpulseComponents<S>> stopped = clamped_impulses<S>(prepared, {});
+    iterate_until(bodies, soft, stopped, limits);
+    reduced = keep_energy(bodies, soft, limits, stopped);
+    return stopped;
+  };
+  SolvedContacts<S> solved =
+      solved_by<S>(bodies, prepared, std::move(impulses), stop, limits.tolerance, limits.jacobi);
+  solved.report.iterations = report.iterations;
+  solved.report.last_change = report.last_change;
+  solved.report.friction_reduced = reduced;
+  solved.report.settled = solved.report.settled && !reduced;
+  if (!std::all_of(solved.impulses.begin(), solved.impulses.end(),
+                   [](const auto& x) { return is_finite(x.normal) && all_finite(x.tangential); })) {
+    throw_invalid_argument("bodies", "?", "velocities and masses are too large: impulses overflow");
+  }
+  return solved;
+}
+
 }  // namespace detail
 
 // [solve]
@@ -163,27 +195,7 @@ SolvedContacts<S> solve_contacts(const std::vector<RigidBody<S>>& bodies,
       detail::prepared_contacts(bodies, contacts, limits.jacobi, limits.friction_bound);
   std::vector<detail::ImpulseComponents<S>> impulses = detail::clamped_impulses(prepared, start);
   const SolverReport<S> report = detail::iterate_until(bodies, prepared, impulses, limits);
-  const bool bounces = std::any_of(contacts.begin(), contacts.end(),
-                                   [](const BodyContact<S>& c) { return c.min_velocity > S(0); });
-  bool reduced = !bounces && detail::keep_energy(bodies, prepared, limits, impulses);
-  const auto stop = [&] {
-    const auto soft = detail::softened(prepared);
-    std::vector<detail::ImpulseComponents<S>> stopped = detail::clamped_impulses<S>(prepared, {});
-    detail::iterate_until(bodies, soft, stopped, limits);
-    reduced = detail::keep_energy(bodies, soft, limits, stopped);
-    return stopped;
-  };
-  SolvedContacts<S> solved = detail::solved_by<S>(bodies, prepared, std::move(impulses), stop,
-                                                  limits.tolerance, limits.jacobi);
-  solved.report.iterations = report.iterations;
-  solved.report.last_change = report.last_change;
-  solved.report.friction_reduced = reduced;
-  solved.report.settled = solved.report.settled && !reduced;
-  if (!std::all_of(solved.impulses.begin(), solved.impulses.end(),
-                   [](const auto& x) { return is_finite(x.normal) && all_finite(x.tangential); })) {
-    throw_invalid_argument("bodies", "?", "velocities and masses are too large: impulses overflow");
-  }
-  return solved;
+  return detail::solved_after<S>(bodies, prepared, std::move(impulses), report, limits);
 }
 // [/solve]
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -105,9 +107,39 @@ struct StepMemory {
   std::vector<ContactImpulse<S>> impulses;  ///< one for each contact
 };
 
+namespace detail {
+
+/// A sphere that contains the shape, a little larger than the smallest; of a half-space, one of
+/// infinite radius.
+template <std::floating_point S>
+Sphere<S> sphere_around(const BodyShape<S>& shape) {
+  const S larger = S(1) + S(16) * std::numeric_limits<S>::epsilon();
+  if (const auto* ball = std::get_if<Sphere<S>>(&shape))
+    return {ball->centre, ball->radius * larger};
+  if (const auto* box = std::get_if<OrientedBox<S>>(&shape)) {
+    return {box->centre, std::sqrt(S(box->half_lengths.dot(box->half_lengths))) * larger};
+  }
+  if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) {
+    const Vector3<S> half = (capsule->core.end - capsule->core.start) / S(2);
+    return {capsule->core.start + half, (std::sqrt(S(half.dot(half))) + capsule->radius) * larger};
+  }
+  return {Vector3<S>::Zero(), std::numeric_limits<S>::infinity()};
+}
+
+/// Whether two spheres are farther apart than the margin, beyond all rounding.
+template <std::floating_point S>
+bool far_apart(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
+  const Vector3<S> between = b.centre - a.centre;
+  const S size = a.centre.cwiseAbs().maxCoeff() + b.centre.cwiseAbs().maxCoeff();
+  const S reach = a.radius + b.radius + margin + S(16) * std::numeric_limits<S>::epsilon() * size;
+  return between.dot(between) > reach * reach * (S(1) + S(16) * std::numeric_limits<S>::epsilon());
+}
+
+}  // namespace detail
+
 // [find-contacts]
 /// All contacts of bodies within the margin, by pairs in the order of the list and by points in the
-/// order of the manifold. All pairs are tested.
+/// order of the manifold. All pairs are tested, most of them only by their bounding spheres.
 ///
 /// A gap may close within the step, but not become negative. After an impact faster than the rest
 /// speed the bodies separate with e times the speed of approach.
@@ -116,16 +148,19 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
                                           const StepSettings<S>& settings) {
   std::vector<BodyContact<S>> contacts;
   std::vector<BodyShape<S>> shapes;
+  std::vector<Sphere<S>> spheres;
   for (const ShapedBody<S>& body : bodies) {
     const auto frame = frame_of<S>({body.motion.position, body.orientation});
     shapes.push_back(std::visit(
         [&](const auto& shape) { return BodyShape<S>(transformed(shape, frame)); }, body.shape));
+    spheres.push_back(detail::sphere_around(shapes.back()));
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t k = i + 1; k < bodies.size(); ++k) {
       const RigidBody<S>& a = bodies[i].motion;
       const RigidBody<S>& b = bodies[k].motion;
       if (a.inverse_mass == S(0) && b.inverse_mass == S(0)) continue;
+      if (detail::far_apart(spheres[i], spheres[k], settings.margin)) continue;
       const ContactManifold<S> manifold = std::visit(
           [&](const auto& one, const auto& other) -> ContactManifold<S> {
             using A = std::decay_t<decltype(one)>;
@@ -159,42 +194,56 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
 
 namespace detail {
 
-/// The impulses of the previous step: for each contact that of the nearest previous contact of the
-/// same pair, within the margin.
+// [remembered]
+/// The impulses of the previous step: each contact takes that of the nearest previous contact of
+/// the same pair within the margin that none before it in the list has taken. Both lists are in the
+/// order of the pairs.
 template <std::floating_point S>
 std::vector<ContactImpulse<S>> remembered(const std::vector<BodyContact<S>>& contacts,
                                           const StepMemory<S>& memory, const S& margin) {
+  const auto pair_of = [](const BodyContact<S>& c) { return std::pair{c.a, c.b}; };
   std::vector<ContactImpulse<S>> start(contacts.size());
+  std::vector<bool> taken(memory.contacts.size(), false);
+  std::size_t first = 0;  // of the previous contacts of this pair
   for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto pair = pair_of(contacts[i]);
+    while (first < taken.size() && pair_of(memory.contacts[first]) < pair) ++first;
     S nearest = margin * margin;
-    for (std::size_t k = 0; k < memory.contacts.size(); ++k) {
-      const BodyContact<S>& then = memory.contacts[k];
-      if (then.a != contacts[i].a || then.b != contacts[i].b) continue;
-      const Vector3<S> between = then.point - contacts[i].point;
-      if (between.dot(between) < nearest) {
-        nearest = between.dot(between);
-        start[i] = memory.impulses[k];
-      }
+    std::size_t found = taken.size();
+    for (std::size_t k = first; k < taken.size() && pair_of(memory.contacts[k]) == pair; ++k) {
+      const Vector3<S> between = memory.contacts[k].point - contacts[i].point;
+      if (taken[k] || !(between.dot(between) < nearest)) continue;
+      nearest = between.dot(between);
+      found = k;
     }
+    if (found == taken.size()) continue;
+    taken[found] = true;
+    start[i] = memory.impulses[found];
   }
   return start;
 }
+// [/remembered]
 
 /// The number of iterations before an active-set solve is tried.
-inline constexpr int iterations_before_exact = 100;
+inline constexpr int iterations_before_exact = 8;
 
 // [solve-step]
-/// The impulses of a step: a few iterations from those of the previous step; if they have not
-/// settled, an active-set solve, which a stack needs once; and if that does not settle either, the
-/// other iterations. Of the two results, that with the smaller residual.
+/// The impulses of a step: a few iterations from those of the previous step, which suffice while
+/// bodies rest; if they have not settled, an active-set solve; and if that does not settle either,
+/// the other iterations, with over-relaxation. Of the results, that with the smallest residual.
 template <std::floating_point S>
 SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
                              const std::vector<BodyContact<S>>& contacts,
                              const std::vector<ContactImpulse<S>>& start,
                              const SolverSettings<S>& settings) {
+  const auto prepared =
+      prepared_contacts(bodies, contacts, settings.jacobi, settings.friction_bound);
   SolverSettings<S> few = settings;
   few.iterations = std::min(settings.iterations, iterations_before_exact);
-  SolvedContacts<S> solved = solve_contacts(bodies, contacts, start, few);
+  few.relaxation = S(1);
+  std::vector<ImpulseComponents<S>> impulses = clamped_impulses(prepared, start);
+  const SolverReport<S> report = iterate_until(bodies, prepared, impulses, few);
+  SolvedContacts<S> solved = solved_after(bodies, prepared, impulses, report, few);
   if (solved.report.settled || settings.iterations <= few.iterations) return solved;
   const auto better = [&](const SolvedContacts<S>& other) {
     return other.report.settled || !(other.report.residual >= solved.report.residual);
@@ -207,8 +256,9 @@ SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
   if (exact && better(*exact)) solved = *exact;
   solved.report.iterations = done;
   if (solved.report.settled) return solved;
-  few.iterations = settings.iterations - done;
-  SolvedContacts<S> more = solve_contacts(bodies, contacts, solved.impulses, few);
+  SolverSettings<S> rest = settings;
+  rest.iterations -= done;
+  SolvedContacts<S> more = solve_contacts(bodies, contacts, solved.impulses, rest);
   more.report.iterations += done;
   return better(more) ? more : solved;
 }

@@ -20,7 +20,7 @@ enum class FrictionBound {
 
 namespace detail {
 
-/// √(x² + y²), also where the squares overflow or underflow.
+/// √(x² + y²), also where the squares overflow or underflow; ∞ if it is too large itself.
 template <std::floating_point S>
 S disc_length(const S& x, const S& y) {
   const S square = x * x + y * y;
@@ -32,11 +32,27 @@ S disc_length(const S& x, const S& y) {
   return large * std::sqrt(S(1) + ratio * ratio);
 }
 
+/// The direction of a vector other than 0, also of one whose length overflows or is subnormal.
+template <std::floating_point S>
+Vector2<S> direction_of(const Vector2<S>& v) {
+  int power = 0;
+  std::frexp(std::max(std::abs(v.x()), std::abs(v.y())), &power);
+  const S x = std::ldexp(v.x(), -power), y = std::ldexp(v.y(), -power);
+  const S length = disc_length<S>(x, y);
+  return {x / length, y / length};
+}
+
+/// Whether a length has all its digits and has not overflowed.
+template <std::floating_point S>
+bool is_normal_length(const S& length) {
+  return length >= std::numeric_limits<S>::min() && length <= std::numeric_limits<S>::max();
+}
+
 }  // namespace detail
 
 // [friction-bound]
 /// The friction nearest to a given one that the bound allows: scaled down to the disc, or each
-/// component cut to the square.
+/// component cut to the square. Up to rounding: it may be longer than `most` by a few u.
 /// @param friction components along two perpendicular tangents, N·s
 /// @param most μ times the normal impulse, N·s, not negative
 template <std::floating_point S>
@@ -44,7 +60,9 @@ Vector2<S> bounded_friction(FrictionBound bound, const Vector2<S>& friction, con
   if (bound == FrictionBound::pyramid)
     return {std::clamp(friction.x(), -most, most), std::clamp(friction.y(), -most, most)};
   const S length = detail::disc_length<S>(friction.x(), friction.y());
-  const S share = length > most ? most / length : S(1);
+  if (!(length > most)) return friction;
+  if (!detail::is_normal_length(length)) return detail::direction_of(friction) * most;
+  const S share = most / length;
   return {friction.x() * share, friction.y() * share};
 }
 // [/friction-bound]
@@ -64,6 +82,7 @@ Vector2<S> sliding_friction(FrictionBound bound, const Vector2<S>& slip, const S
   }
   const S length = detail::disc_length<S>(slip.x(), slip.y());
   if (!(length > S(0))) return Vector2<S>::Zero();
+  if (!detail::is_normal_length(length)) return detail::direction_of(slip) * -most;
   return {-(slip.x() / length) * most, -(slip.y() / length) * most};
 }
 // [/pyramid-friction]

@@ -231,10 +231,50 @@ S edge_length(const Polygon<S>& polygon, int edge) {
   return std::sqrt(along.dot(along));
 }
 
-/// The manifold of polygons of an ordinary size.
+// [corners]
+/// The vertices of a convex polygon without those that are in the middle of a side or coincide with
+/// a previous one, up to 8 u of the coordinates: where several edges have one direction, they are
+/// one edge. All vertices, if less than three would be left.
+/// @param largest magnitude of a coordinate of the polygon
 template <FloatOrDouble S>
-ContactManifold2d<S> manifold_2d(const Polygon<S>& a, const Polygon<S>& b, const S& margin,
-                                 const S& size) {
+std::vector<int> corners(const Polygon<S>& polygon, const S& largest) {
+  const int count = int(polygon.size());
+  const auto at = [&](int i) { return polygon[std::size_t(i % count)]; };
+  const S least =
+      std::min(S(8) * tolerance::unit_roundoff<S> * largest, flatness<S> * extent(polygon));
+  // No vertex is farther left, and of those none is lower: it is in the middle of no side.
+  int start = 0;
+  for (int i = 1; i < count; ++i) {
+    if (at(i).x() < at(start).x() || (at(i).x() == at(start).x() && at(i).y() < at(start).y()))
+      start = i;
+  }
+  const auto is_between = [&](const Vector2<S>& p, const Vector2<S>& from, const Vector2<S>& to) {
+    const Vector2<S> side = to - from, d = p - from;
+    const S length = std::sqrt(side.dot(side));
+    if (!(length > least)) return d.cwiseAbs().maxCoeff() <= least;
+    const S above = (side.x() * d.y() - side.y() * d.x()) / length, along = side.dot(d) / length;
+    return std::abs(above) <= least && along >= -least && along <= length + least;
+  };
+  std::vector<int> kept{start};
+  for (int i = start + 1; i < start + count; ++i) {
+    bool is_middle = true;
+    const int last = kept.back();
+    for (int k = last < start ? last + count + 1 : last + 1; k <= i && is_middle; ++k)
+      is_middle = is_between(at(k), at(last), at(i + 1));
+    if (!is_middle) kept.push_back(i % count);
+  }
+  if (kept.size() < 3) {
+    kept.clear();
+    for (int i = 0; i < count; ++i) kept.push_back(i);
+  }
+  return kept;
+}
+// [/corners]
+
+/// The manifold of polygons of an ordinary size without vertices in the middle of a side.
+template <FloatOrDouble S>
+ContactManifold2d<S> manifold_of_corners(const Polygon<S>& a, const Polygon<S>& b, const S& margin,
+                                         const S& size) {
   const EdgeSeparation<S> of_a = max_edge_separation(a, b), of_b = max_edge_separation(b, a);
   if (of_a.edge < 0 || of_b.edge < 0) return {};
   const bool a_is_reference = !(of_b.separation > of_a.separation);
@@ -285,6 +325,27 @@ ContactManifold2d<S> manifold_2d(const Polygon<S>& a, const Polygon<S>& b, const
   return manifold;
 }
 
+/// The manifold of polygons of an ordinary size: of their corners, whose names are the indices in
+/// the whole polygons.
+template <FloatOrDouble S>
+ContactManifold2d<S> manifold_2d(const Polygon<S>& a, const Polygon<S>& b, const S& margin,
+                                 const S& size) {
+  const std::vector<int> of_a = corners<S>(a, largest_coordinate<S>(a));
+  const std::vector<int> of_b = corners<S>(b, largest_coordinate<S>(b));
+  const auto chosen = [](const Polygon<S>& polygon, const std::vector<int>& indices) {
+    Polygon<S> made;
+    for (const int i : indices) made.push_back(polygon[std::size_t(i)]);
+    return made;
+  };
+  const auto named = [](const SurfaceFeature& f, const std::vector<int>& indices) {
+    return edge_feature(indices[std::size_t(f.first)], indices[std::size_t(f.second)]);
+  };
+  auto manifold = manifold_of_corners<S>(chosen(a, of_a), chosen(b, of_b), margin, size);
+  for (ManifoldPoint2d<S>& p : manifold.points)
+    p.features = {named(p.features.of_a, of_a), named(p.features.of_b, of_b)};
+  return manifold;
+}
+
 /// Whether B is taken before A: it comes first along the coordinate in which the means of their
 /// vertices differ most, or, if these are equal, in the order of the stored numbers. While one
 /// polygon rests on the other the order does not change.
@@ -323,14 +384,20 @@ Polygon<S> times_power_of_two(Polygon<S> polygon, int power) {
 /// in every run, and exchanging the polygons gives exactly the opposite normal and the same points,
 /// unless all their numbers are equal.
 ///
+/// A vertex in the middle of a side, up to 8 u of the coordinates, is no vertex: the edges on both
+/// sides of it are one edge, with the names of its two ends.
+///
 /// If no point is as close as the closest points, to within 2^-10 of the smaller polygon, the
 /// closest points are the only contact: as where one vertex is obliquely above another. Then the
-/// normal leads from one to the other.
+/// normal leads from one to the other, if they are farther apart than 64 u of the largest
+/// coordinate; nearer ones touch up to rounding, and the normal is that of the reference edge.
 ///
 /// The edge of largest separation is an edge of the Minkowski difference, so it gives the direction
 /// of least penetration; moving A by −(least distance) along the normal makes the polygons touch,
 /// to within 2^-10 of the smaller one.
-/// @param a, b convex, counter-clockwise, at least three vertices; of any size
+/// @param a, b convex, counter-clockwise, at least three vertices; of any size, but of a polygon
+/// smaller than 1e-150 (float: 1e-20) of the largest coordinate, lengths underflow, and it may have
+/// no points
 /// @param margin polygons at most this far apart are in contact, m; not negative
 /// @return no points if an argument is not finite or a polygon has fewer than three vertices
 /// @see *Game Physics – Part III*, slide "Determine collision point P"; Dirk Gregorius, *Robust
@@ -339,7 +406,10 @@ template <FloatOrDouble S>
 ContactManifold2d<S> contact_manifold_2d(const Polygon<S>& a, const Polygon<S>& b,
                                          const S& margin) {
   const S of_a = detail::largest_coordinate<S>(a), of_b = detail::largest_coordinate<S>(b);
-  if (a.size() < 3 || b.size() < 3 || !std::isfinite(of_a) || !std::isfinite(of_b)) return {};
+  if (a.size() < 3 || b.size() < 3 || !std::isfinite(of_a) || !std::isfinite(of_b) ||
+      !std::isfinite(margin)) {
+    return {};
+  }
   if (detail::is_second<S>(a, b)) return exchanged(contact_manifold_2d(b, a, margin));
   const S size = std::max(of_a, of_b);
   const int power = detail::scale_power(size);

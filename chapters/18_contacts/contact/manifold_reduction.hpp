@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -25,7 +26,13 @@ class SupportPolygon {
   /// @param load a point that the chosen vertices must contain if all vertices do
   SupportPolygon(std::vector<Vector2<double>> outline, const Vector2<double>& load)
       : outline_(std::move(outline)), load_(load) {
+    double size = 0;
+    for (const Vector2<double>& p : outline_) size = std::max(size, p.cwiseAbs().maxCoeff());
+    int power = 0;
+    std::frexp(size, &power);
     for (std::size_t i = 0; i < outline_.size(); ++i) {
+      const Vector2<double>& p = outline_[i];
+      scaled_.emplace_back(std::ldexp(p.x(), -power), std::ldexp(p.y(), -power));
       const std::size_t next = (i + 1) % outline_.size();
       must_contain_ = must_contain_ && orient_2d(outline_[i], outline_[next], load_) >= 0;
     }
@@ -49,8 +56,8 @@ class SupportPolygon {
       if (!right.possible || !left.possible || !(right.area + left.area > largest)) continue;
       largest = right.area + left.area;
       best = {first, other};
-      if (right.area > 0) best.push_back(right.vertex);
-      if (left.area > 0) best.push_back(left.vertex);
+      if (right.vertex != other) best.push_back(right.vertex);
+      if (left.vertex != first) best.push_back(left.vertex);
     }
     return best;
   }
@@ -68,7 +75,7 @@ class SupportPolygon {
         if (!apex.possible || beside || !(apex.area > largest)) continue;
         largest = apex.area;
         best = {i, k, apex.vertex};
-        if (!(apex.area > 0)) best.pop_back();
+        if (apex.vertex == i) best.pop_back();
       }
     }
     return best;
@@ -76,13 +83,15 @@ class SupportPolygon {
 
  private:
   std::vector<Vector2<double>> outline_;
+  std::vector<Vector2<double>>
+      scaled_;  // by a power of two, so that areas do not over- or underflow
   Vector2<double> load_;
   bool must_contain_ = true;
 
   struct Third {
     bool possible;
-    double area;  // twice
-    std::size_t vertex;
+    double area;         // twice, scaled and rounded: it may be 0 for a vertex that the load needs
+    std::size_t vertex;  // `to` if there is none
   };
   /// The third vertex of the largest triangle to the left of the line from one vertex to another:
   /// one of those that follow `to` and precede `from`.
@@ -94,7 +103,7 @@ class SupportPolygon {
     for (std::size_t k = (to + 1) % n; k != from; k = (k + 1) % n) {
       const Vector2<double>& r = outline_[k];
       if (holds && (orient_2d(q, r, load_) < 0 || orient_2d(r, p, load_) < 0)) continue;
-      const Vector2<double> d = q - p, e = r - p;
+      const Vector2<double> d = scaled_[to] - scaled_[from], e = scaled_[k] - scaled_[from];
       const double area = d.x() * e.y() - d.y() * e.x();
       if (best.possible && !(area > best.area)) continue;
       best = {true, std::max(area, 0.0), k};
@@ -126,7 +135,8 @@ class SupportPolygon {
 /// can demand a smaller one.
 /// @param load a point on the line of the load, such as the centre of mass of the body that rests
 /// on the other, m
-/// @return the manifold itself if it has at most four points, or a number is not finite
+/// @return the manifold itself if it has at most four points, or a number or projection is not
+/// finite
 /// @see E. Sas, *Über eine Extremumeigenschaft der Ellipsen*, Compositio Mathematica 6 (1939)
 template <FloatOrDouble S>
 ContactManifold<S> reduced_manifold(const ContactManifold<S>& manifold, const Vector3<S>& load) {
@@ -142,9 +152,10 @@ ContactManifold<S> reduced_manifold(const ContactManifold<S>& manifold, const Ve
   std::size_t deepest = 0;
   for (std::size_t i = 0; i < manifold.points.size(); ++i) {
     flat.push_back(projected(manifold.points[i].point));
-    if (!all_finite(flat.back())) return manifold;
+    if (!all_finite(flat.back()) || !is_finite(manifold.points[i].distance)) return manifold;
     if (manifold.points[i].distance < manifold.points[deepest].distance) deepest = i;
   }
+  if (!all_finite(projected(load))) return manifold;
   const std::vector<int> hull = convex_hull_2d(flat);
   std::vector<Vector2<double>> outline;
   std::size_t at = hull.size();

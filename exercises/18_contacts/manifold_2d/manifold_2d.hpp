@@ -24,10 +24,10 @@ struct Manifold {
 
 /// The contact points of two convex polygons.
 ///
-/// - The separation of an edge is the distance of the nearest vertex of the other polygon from the
-///   edge's line: positive outside, negative inside. The edge with the largest separation is the
-///   reference edge. Of equal ones that of polygon a counts, and then the one with the smaller
-///   index.
+/// - The signed distance of a vertex from the line of an edge is positive outside of the edge's
+///   polygon and negative inside. The separation of an edge is the smallest of the signed distances
+///   of the other polygon's vertices. The edge with the largest separation is the reference edge.
+///   Of equal ones that of polygon a counts, and then the one with the smaller index.
 /// - The incident edge is the edge of the other polygon whose outward normal is most opposite to
 ///   that of the reference edge; of equal ones the one with the smaller index.
 /// - The incident edge is clipped: what is left is its part between the two lines that are
