@@ -254,6 +254,140 @@ TEST_CASE("two immovable bodies that close are not settled") {
   CHECK(got.report.iterations == 1);
 }
 
+namespace {
+
+/// A box of 2 m × 1 m × 1 m and 1 kg that falls onto a ground with some of its corners, with
+/// restitution 1 and friction.
+Problem<double> box_on_corners(Random& random) {
+  Problem<double> p;
+  const V zero(0, 0, 0);
+  const double x = random.uniform(-1, 1);
+  const double y = random.uniform(-1, 1);
+  const V velocity(x, y, -random.uniform(0, 3));
+  const double spin = random.uniform(-3, 3);
+  const double tilt = random.uniform(-3, 3);
+  p.bodies = {contact::immovable<double>(zero, zero, zero),
+              contact::rigid_body<double>(1, contact::box_inertia<double>(1, V(2, 1, 1)),
+                                          V(0, 0, 0.5), velocity, V(spin, tilt, -spin))};
+  for (const double along : {-1.0, 1.0}) {
+    for (const double across : {-0.5, 0.5}) {
+      if (random.chance(0.4)) continue;
+      BodyContact<double> c{1, 0, V(along, across, 0), V(0, 0, 1), random.uniform(0, 1), 0};
+      c.min_velocity = std::max(0.0, -contact::velocity_at(p.bodies[1], c.point).z());
+      p.contacts.push_back(c);
+    }
+  }
+  return p;
+}
+
+double opening(const std::vector<Body>& bodies, const BodyContact<double>& c) {
+  return c.normal.dot(contact::velocity_at(bodies[static_cast<std::size_t>(c.a)], c.point) -
+                      contact::velocity_at(bodies[static_cast<std::size_t>(c.b)], c.point));
+}
+
+}  // namespace
+
+TEST_CASE("settled and blended: a mixture of settled impulses, slower than the least velocities") {
+  Random random(1822);
+  int blended = 0;
+  double slowest = 0;
+  for (int i = 0; i < tried(1000); ++i) {
+    const auto p = box_on_corners(random);
+    const auto got = contact::solve_contacts<double>(p.bodies, p.contacts);
+    CHECK(energy(got.bodies) <= energy(p.bodies) * (1 + 1e-11));
+    if (!got.report.settled) continue;
+    blended += got.report.blended ? 1 : 0;
+    const double wrong = 2 * (1e-12 + got.report.rounding);
+    for (const auto& c : p.contacts) {
+      const double least = got.report.blended ? std::min(c.min_velocity, 0.0) : c.min_velocity;
+      CHECK(opening(got.bodies, c) >= least - wrong);
+      slowest = std::min(slowest, opening(got.bodies, c) - c.min_velocity);
+    }
+  }
+  CHECK(blended > tried(50));
+  CHECK(slowest < -0.1);  // so the least velocities are not reached
+}
+
+TEST_CASE("an immovable body that moves does not switch off the guard of restitution") {
+  Random random(1823);
+  int blended = 0;
+  for (int i = 0; i < tried(500); ++i) {
+    const auto p = box_on_corners(random);
+    const auto right = contact::solve_contacts<double>(p.bodies, p.contacts);
+    auto beside = p;  // another body far away, without a contact
+    beside.bodies.push_back(
+        contact::immovable<double>(V(1000, 0, 0), V(0, 0, 1e-9), V(0, 1e-9, 0)));
+    const auto got = contact::solve_contacts<double>(beside.bodies, beside.contacts);
+    CHECK(got.bodies[1].velocity == right.bodies[1].velocity);
+    CHECK(got.report.blended == right.report.blended);
+    blended += got.report.blended ? 1 : 0;
+    // The ground moves, and the box with it: the same impact, and in its frame the same energy.
+    const V speed(2, -1, 4);
+    auto moving = p;
+    for (auto& body : moving.bodies) body.velocity += speed;
+    auto seen = contact::solve_contacts<double>(moving.bodies, moving.contacts);
+    for (auto& body : seen.bodies) body.velocity -= speed;
+    CHECK(energy(seen.bodies) <= energy(p.bodies) * (1 + 1e-12));
+    CHECK((seen.bodies[1].velocity - right.bodies[1].velocity).norm() <= 1e-9);
+  }
+  CHECK(blended > tried(25));
+}
+
+TEST_CASE("a wall that hits a ball still gives it energy: restitution between moving walls") {
+  Random random(1824);
+  int closing = 0;
+  for (int i = 0; i < tried(600); ++i) {
+    // Each impulse times the mean (1 − e) v / 2 of its velocities is no gain if all contacts close,
+    // so without friction nothing is reduced then, also at a wall that moves or turns.
+    auto p = down(problem(random, 3, 0));
+    p.bodies[0].velocity = V(0, 0, random.uniform(0, 3));
+    p.bodies[0].angular_velocity = V(random.uniform(-1, 1), 0, 0);
+    const double restitution = random.uniform(0, 1);
+    bool all_close = true;
+    for (int k = 0; k < 3; ++k) {
+      const double x = random.uniform(-1, 1);
+      BodyContact<double> c{k == 2 ? 2 : 1, k == 1 ? 2 : 0, V(x, 0.5, 0), V(0, 0, 1), 0, 0};
+      c.min_velocity = std::max(0.0, -restitution * opening(p.bodies, c));
+      p.contacts.push_back(c);
+      all_close = all_close && c.min_velocity > 0;
+    }
+    if (!all_close) continue;
+    ++closing;
+    const auto got = contact::solve_contacts<double>(p.bodies, p.contacts);
+    CHECK_FALSE(got.report.blended);
+  }
+  CHECK(closing > tried(20));
+  std::vector<Body> bodies{
+      contact::immovable<double>(V(0, 0, 0), V(0, 0, 3), V(0, 0, 0)),
+      contact::rigid_body<double>(1, contact::box_inertia<double>(1, V(1, 1, 1)), V(0, 0, 0),
+                                  V(0, 0, 0), V(0, 0, 0))};
+  const auto hit = contact::solve_contacts<double>(bodies, {{1, 0, V(0, 0, 0), V(0, 0, 1), 0, 3}});
+  CHECK(hit.bodies[1].velocity == V(0, 0, 6));
+  CHECK_FALSE(hit.report.blended);
+}
+
+TEST_CASE("no impulse between two immovable bodies is kept from the start") {
+  const V zero(0, 0, 0);
+  const Body ground = contact::immovable<double>(zero, zero, zero);
+  const Body lift = contact::immovable<double>(zero, V(0, 0, 1), zero);
+  const BodyContact<double> pair{1, 0, zero, V(0, 0, 1), 0.5, 0};
+  const auto alone = contact::solve_contacts<double>({ground, lift}, {pair}, {{1, V(0.1, 0, 0)}});
+  CHECK(alone.report.settled);
+  CHECK(alone.impulses[0].normal == 0);
+  CHECK(alone.impulses[0].tangential == zero);
+  // A box lands and slides beside: its friction is as without the pair.
+  const Body box = contact::rigid_body<double>(1, contact::box_inertia<double>(1, V(1, 1, 1)), zero,
+                                               V(2, 0, -1), zero);
+  const BodyContact<double> landing{2, 0, zero, V(0, 0, 1), 0.5, 0};
+  for (const double push : {0.0, 3.0, 10.0, 1000.0}) {
+    const auto got = contact::solve_contacts<double>({ground, lift, box}, {pair, landing},
+                                                     {{push, zero}, {0, zero}});
+    CHECK(got.report.settled);
+    CHECK_FALSE(got.report.friction_reduced);
+    CHECK(std::abs(got.bodies[2].velocity.x() - 1.5) <= 1e-12);
+  }
+}
+
 TEST_CASE("scales from 1e-150 to 1e150 give the same motion, and overflow is refused") {
   const auto scaled = [](double speed, double mass, int iterations) {
     auto p = problem_of(cycles[0]);

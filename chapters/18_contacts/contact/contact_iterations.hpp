@@ -25,8 +25,10 @@ namespace contact {
 /// The impulse at a contact: on A, and the opposite on B.
 template <Ring S>
 struct ContactImpulse {
-  S normal = S(0);                             ///< along the normal, never negative, N·s
-  Vector3<S> tangential = Vector3<S>::Zero();  ///< friction, at most μ times the normal one, N·s
+  S normal = S(0);  ///< along the normal, never negative, N·s
+  /// Friction, N·s: of length at most μ times the normal impulse, up to rounding. With a friction
+  /// pyramid each of its two components is, and the length is up to √2 times that.
+  Vector3<S> tangential = Vector3<S>::Zero();
 };
 
 /// Settings of the solver: when the iterations end, and how they are made.
@@ -200,8 +202,9 @@ S relax_normal(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,
 ///
 /// Friction first, with the normal impulse of the previous iteration, projected onto the disc of
 /// radius μ times the normal impulse. The disc is convex and the relaxation below 2, so this does
-/// not increase the kinetic energy. Then the normal. If it has become smaller, friction is
-/// projected again. This last projection can add energy: see keep_energy().
+/// not increase the kinetic energy. Then the normal, which does not increase the function f of
+/// keep_energy(); the energy itself it can, for instance with restitution. If the normal impulse
+/// has become smaller, friction is projected again. This last projection can increase both.
 template <std::floating_point S>
 S relax(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, ImpulseComponents<S>& x,
         const S& relaxation) {
@@ -252,9 +255,14 @@ void apply_together(std::vector<RigidBody<S>>& bodies,
 }
 
 /// One Jacobi iteration: every contact starts from the same velocities. Its change is divided by
-/// the number of contacts of its bodies. No change alone increases the kinetic energy; after the
-/// division their sum does not either. The new impulses lie between admissible ones, so they are
+/// the number of contacts of its bodies. The new impulses lie between admissible ones, so they are
 /// admissible.
+///
+/// Without friction the function f of keep_energy() does not grow: no change alone increases it,
+/// and it is a sum of a convex function of each body's velocities and a linear one of the impulses,
+/// so the sum of the divided changes does not either. The kinetic energy itself can grow where a
+/// least velocity is above 0, or an impulse was too large. With friction f can grow too, where a
+/// friction is cut to a smaller disc.
 /// @param partners for each contact, the larger number of contacts of its two bodies
 template <std::floating_point S>
 S jacobi_iteration(std::vector<RigidBody<S>>& bodies,

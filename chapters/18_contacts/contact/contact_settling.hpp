@@ -55,6 +55,7 @@ S impulse_rounding(const std::vector<RigidBody<S>>& bodies,
 /// and the inverse effective mass k: no change means x ≥ 0, w ≥ 0 and x = 0 or w = 0. Friction
 /// would become the point of its disc (or square) nearest to x − s / k, with the slip s: no change
 /// means that s = 0, or that friction is on the boundary of the disc, opposite to s.
+/// @param x of two immovable bodies 0 (clamped_impulses())
 /// @return between immovable bodies, how fast they close
 template <std::floating_point S>
 S contact_residual(const std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p,

@@ -63,14 +63,15 @@ std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>
   return prepared;
 }
 
-/// Projects impulses onto the admissible ones: no pull, friction inside its bound. An empty list
-/// gives zeros.
+/// Projects impulses onto the admissible ones: no pull, friction inside its bound, and none between
+/// two immovable bodies, where no iteration could take it back. An empty list gives zeros.
 template <std::floating_point S>
 std::vector<ImpulseComponents<S>> clamped_impulses(const std::vector<PreparedContact<S>>& prepared,
                                                    const std::vector<ContactImpulse<S>>& start) {
   std::vector<ImpulseComponents<S>> impulses(prepared.size(),
                                              ImpulseComponents<S>{S(0), S(0), S(0)});
   for (std::size_t i = 0; i < start.size(); ++i) {
+    if (!(prepared[i].inverse_normal_mass > S(0))) continue;
     const S normal = std::max(S(0), start[i].normal);
     const S one = start[i].tangential.dot(prepared[i].direction[1]);
     const S two = start[i].tangential.dot(prepared[i].direction[2]);
@@ -82,7 +83,9 @@ std::vector<ImpulseComponents<S>> clamped_impulses(const std::vector<PreparedCon
 }
 
 /// The bodies after impulses, and their report. If restitution has added energy, it is reduced
-/// until it does not. (Not if an immovable body moves, which may do the work.)
+/// until it does not. The work of immovable bodies that move does not count as added, so they make
+/// no difference: energy_made() depends only on relative velocities, and so does the proof of
+/// keep_energy() for the impulses without restitution.
 /// @param contacts, prepared the same, as given and prepared
 /// @param stop returns the impulses without restitution, which add no energy
 template <std::floating_point S, class Stop>
@@ -93,15 +96,9 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
   SolvedContacts<S> solved;
   solved.bodies = after_impulses(bodies, prepared, impulses, together);
   solved.report.residual = largest_residual(solved.bodies, prepared, impulses);
-  bool still = true;
   bool bounces = false;
-  for (const RigidBody<S>& body : bodies) {
-    const bool moves =
-        body.velocity != Vector3<S>::Zero() || body.angular_velocity != Vector3<S>::Zero();
-    if (body.inverse_mass == S(0) && moves) still = false;
-  }
   for (const PreparedContact<S>& p : prepared) bounces = bounces || p.contact.min_velocity > S(0);
-  if (still && bounces && energy_made(bodies, solved.bodies, prepared, impulses) > S(0)) {
+  if (bounces && energy_made(bodies, solved.bodies, prepared, impulses) > S(0)) {
     const std::vector<ImpulseComponents<S>> stopped = stop();
     const S residual = largest_residual(after_impulses(bodies, prepared, stopped, together),
                                         softened(prepared), stopped);
@@ -159,22 +156,26 @@ SolvedContacts<S> solved_after(const std::vector<RigidBody<S>>& bodies,
 /// by simultaneous impulses (projected Jacobi).
 ///
 /// After any number of iterations: no normal impulse pulls; the friction of each contact is inside
-/// its cone, |tangential| ≤ μ normal; and momentum and angular momentum are conserved up to the
-/// rounding of the velocities, because each impulse acts on A and its opposite on B at one point.
-/// The velocities are computed from the impulses at the end, once, in the order of the list.
+/// its cone, |tangential| ≤ μ normal up to rounding (or inside the pyramid of the settings, which
+/// is up to √2 times as long); and momentum and angular momentum are conserved up to the rounding
+/// of the velocities, because each impulse acts on A and its opposite on B at one point. The
+/// velocities are computed from the impulses at the end, once, in the order of the list.
 ///
-/// If the report says `settled`, no contact is slower than its least velocity, contacts with an
-/// impulse are that fast (complementarity), and Coulomb's law holds, all up to the tolerance plus
-/// the rounding of the report. Iterations with friction need not settle: two contacts can repeat
-/// two states in turns for ever. Then the report says so.
+/// If the report says `settled` and not `blended`, no contact is slower than its least velocity,
+/// contacts with an impulse are that fast (complementarity), and Coulomb's law holds (with the
+/// pyramid, its own), all up to the tolerance plus the rounding of the report. If it says `settled`
+/// and `blended`, this is so for two sets of impulses, those without and those with restitution, of
+/// which the result is a mixture: a contact may be slower than its least velocity, but not slower
+/// than the smaller of this and 0. Iterations with friction need not settle: two contacts can
+/// repeat two states in turns for ever. Then the report says so.
 ///
 /// Settled or not: if all least velocities are 0 or less, the kinetic energy has not grown, except
 /// by rounding and by the work of immovable bodies that move. Where iterations that have not
 /// settled would add energy, the impulses are moved towards those without friction: see
-/// detail::keep_energy(). Newton's restitution together with friction can add energy even when
-/// settled; then the restitution is reduced to the largest for which it does not, on the segment
-/// between the impulses without and with restitution. (Not if an immovable body moves, since it may
-/// do work.)
+/// detail::keep_energy(). Newton's restitution can add energy even when settled: with friction, or
+/// where the impulse at one contact makes another one that separates push as well; then the
+/// restitution is reduced to the largest for which it does not, on the segment between the impulses
+/// without and with restitution.
 /// @param contacts between different bodies of the list, with unit normals
 /// @param start initial impulses (warm start), for instance those of the previous step: they save
 /// iterations. Empty, or one for each contact; they are projected onto the admissible impulses

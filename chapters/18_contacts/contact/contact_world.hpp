@@ -321,6 +321,11 @@ Vector3<S> slide_correction(const std::vector<RigidBody<S>>& before,
 /// with the corrected velocities; those that slide on immovable ones move as far as constant
 /// friction lets them (detail::slide_correction()).
 ///
+/// Immovable bodies move by their velocities, but are not turned by their angular velocities; and a
+/// half-space stays where it is. Contacts use these velocities all the same: of a conveyor belt, or
+/// of a roller, whose surface passes along itself. To turn or move another shape is the caller's
+/// task.
+///
 /// The angular momentum of a body without contacts is conserved: its angular velocity follows from
 /// its orientation. Penetration, from the start or by rounding, is not corrected, and does not
 /// grow.
