@@ -179,6 +179,16 @@ CONTACT_SCENES_INLINE SolvedContacts<double> solve_resting(
   return swept;
 }
 
+CONTACT_SCENES_INLINE void settle(const SteppedSetup& setup,
+                                  const std::vector<RigidBody<double>>& bodies,
+                                  const std::vector<BodyContact<double>>& contacts,
+                                  SolvedContacts<double>& solved) {
+  if (solved.report.settled || contacts.size() > max_settled_contacts) return;
+  auto exact = solve_active_set<double>(bodies, contacts, solved.impulses, FrictionLaw::coulomb,
+                                        setup.solver.tolerance);
+  if (exact && exact->report.residual < solved.report.residual) solved = std::move(*exact);
+}
+
 /// Between bodies whose masses differ by more than this, iterations converge too slowly, and with
 /// friction they get an exact solve. For others more iterations cost less.
 inline constexpr double unlike_masses = 64;

@@ -87,6 +87,14 @@ SolvedContacts<double> solve_resting(SteppedState& state,
                                      const std::vector<ContactImpulse<double>>& start,
                                      const SolverSettings<double>& limits);
 
+/// The largest number of contacts that settle() solves exactly.
+inline constexpr std::size_t max_settled_contacts = 64;
+
+/// Replaces the result of iterations that have not settled by an exact solve, where that is closer
+/// to the solution. An island of more contacts keeps what the iterations have reached.
+void settle(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
+            const std::vector<BodyContact<double>>& contacts, SolvedContacts<double>& solved);
+
 /// Whether the residual of the iterations needs an exact solve: no body may penetrate another by
 /// much, and no bounce may lose much of its energy.
 bool unfinished(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
@@ -126,6 +134,7 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
     auto solved = what == SolveFor::rest
                       ? solve_resting(state, bodies.bodies, named, before, limits)
                       : solve_iteratively(state, bodies.bodies, named, before, limits);
+    settle(setup, bodies.bodies, named, solved);
     if (unfinished(setup, bodies.bodies, named, solved.report.last_change, time, what))
       solve_residual(setup, bodies.bodies, named, time, solved);
     // The residual must not move anything through the thinnest body.
