@@ -147,9 +147,11 @@ TEST_CASE("contacts on opposite sides of the centre") {
 }
 
 TEST_CASE("one contact approaches") {
+  check_impulses(symmetric(4, 1, 2), {-5, 3});
+  check_impulses(symmetric(4, 1, 2), {3, -5});
+  check_impulses(symmetric(4, -1, 2), {-8, 3});
   check_impulses(symmetric(4, 1, 2), {-3, 5});
   check_impulses(symmetric(4, 1, 2), {5, -3});
-  check_impulses(symmetric(4, -1, 2), {-8, 3});
   check_impulses(symmetric(4, 1, 2), {3, 5});
   check_impulses(symmetric(4, 1, 2), {0, 0});
 }
