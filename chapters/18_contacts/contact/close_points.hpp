@@ -96,13 +96,16 @@ void keep_outline(Manifold& manifold, const S& size) {
   auto& points = manifold.points;
   const std::size_t count = points.size();
   if (count < 3) return;
-  // The point farthest from the first one is a vertex.
+  // The point farthest from the first one is a vertex. Relative to the size nothing underflows.
   std::size_t start = 0;
-  S farthest(0);
+  S extent(0), farthest(0);
+  for (const auto& p : points) {
+    extent = std::max(extent, S((p.point - points[0].point).cwiseAbs().maxCoeff()));
+  }
   for (std::size_t i = 1; i < count; ++i) {
-    const S distance = (points[i].point - points[0].point).cwiseAbs().maxCoeff();
-    if (distance > farthest) start = i;
-    farthest = std::max(farthest, distance);
+    const Vector3<S> away = (points[i].point - points[0].point) / extent;
+    if (away.dot(away) > farthest) start = i;
+    farthest = std::max(farthest, S(away.dot(away)));
   }
   std::vector<bool> stays(count, true);
   std::size_t last = 0;  // that stays, counted from the start
