@@ -73,7 +73,8 @@ S distance_to_piece(const Vector3<S>& p, const ConvexHull<S>& piece) {
 
 // [inner-face]
 /// Whether another piece of the body covers the surface of a piece at p: it contains the point a
-/// little farther out.
+/// little farther out, or has it on its surface: where a side is exactly over a joint, the contact
+/// with the inner face is an edge of both pieces.
 /// @param outward unit vector, out of the piece
 /// @param step how far out, m
 template <std::floating_point S>
@@ -81,7 +82,9 @@ bool is_covered(const CompoundBody<S>& body, int piece, const Vector3<S>& p,
                 const Vector3<S>& outward, const S& step) {
   const Vector3<S> out = p + outward * step;
   for (int i = 0; i < int(body.pieces.size()); ++i) {
-    if (i != piece && distance_to_piece<S>(out, body.pieces[std::size_t(i)]) < S(0)) return true;
+    if (i != piece && distance_to_piece<S>(out, body.pieces[std::size_t(i)]) < step / S(2)) {
+      return true;
+    }
   }
   return false;
 }
