@@ -231,6 +231,27 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a foot under the middle of a bar hides no contact of the bar's ends") {
+  const Compound table{{cuboid(V(-12, -2, -1), V(12, 2, 0))}};
+  for (const double deep : {-0.005, 0.005}) {
+    // The foot is 1 cm high, so the bar itself is 1 cm above it or in the table with its ends.
+    const double low = deep < 0 ? 0.01 : -deep;
+    const Compound bar{{cuboid(V(-10, -1, low), V(10, 1, low + 1)),
+                        cuboid(V(-0.5, -1, low - 0.01), V(0.5, 1, low))}};
+    const Pairs pairs = compound_contacts(bar, table, 0.02);
+    double left = 0, right = 0;
+    for (const auto& pair : pairs) {
+      for (const auto& p : pair.manifold.points) {
+        left = std::min(left, p.point.x());
+        right = std::max(right, p.point.x());
+      }
+    }
+    CAPTURE(deep);
+    CHECK(std::abs(left + 10) < 1e-12);
+    CHECK(std::abs(right - 10) < 1e-12);
+  }
+}
+
 TEST_CASE("several points between the same two bodies: a table with four legs") {
   Compound table{{cuboid(V(-1, -1, 1), V(1, 1, 1.1))}};
   for (const double x : {-0.9, 0.8}) {

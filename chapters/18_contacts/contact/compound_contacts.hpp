@@ -111,15 +111,18 @@ std::vector<int> pieces_beyond(const CompoundBody<S>& body, int piece, const Vec
 }
 // [/inner-edge]
 
+/// A point of a manifold on one of the two surfaces.
+template <std::floating_point S>
+Vector3<S> point_on(const ContactManifold<S>& manifold, const ManifoldPoint<S>& p, bool of_a) {
+  return p.point + manifold.normal * ((of_a ? p.distance : -p.distance) / S(2));
+}
+
 /// The mean of a manifold's points on one surface.
 template <std::floating_point S>
 Vector3<S> middle_on(const ContactManifold<S>& manifold, bool of_a) {
   const S count = S(manifold.points.size());
   Vector3<S> mean = Vector3<S>::Zero();
-  for (const ManifoldPoint<S>& p : manifold.points) {
-    const S half = (of_a ? p.distance : -p.distance) / S(2);
-    mean += Vector3<S>(p.point + manifold.normal * half) / count;
-  }
+  for (const ManifoldPoint<S>& p : manifold.points) mean += point_on(manifold, p, of_a) / count;
   return mean;
 }
 
@@ -169,11 +172,13 @@ std::vector<PieceManifold<S>> outer_manifolds(const CompoundBody<S>& a, const Co
   };
   for (const PieceManifold<S>& pair : pairs) {
     const Vector3<S> up = pair.manifold.normal, down = -up;
+    const bool inside = std::all_of(
+        pair.manifold.points.begin(), pair.manifold.points.end(), [&](const ManifoldPoint<S>& p) {
+          return is_covered<S>(a, pair.piece_a, point_on(pair.manifold, p, true), down, step) ||
+                 is_covered<S>(b, pair.piece_b, point_on(pair.manifold, p, false), up, step);
+        });
+    if (inside) continue;
     const Vector3<S> on_a = middle_on(pair.manifold, true), on_b = middle_on(pair.manifold, false);
-    if (is_covered<S>(a, pair.piece_a, on_a, down, step) ||
-        is_covered<S>(b, pair.piece_b, on_b, up, step)) {
-      continue;
-    }
     bool at_inner_edge = false;
     for (const int i : pieces_beyond<S>(a, pair.piece_a, on_a, down, step)) {
       at_inner_edge = at_inner_edge || is_kept(i, pair.piece_b);
@@ -217,8 +222,8 @@ bool is_second(const CompoundBody<S>& a, const CompoundBody<S>& b) {
 /// inner corner of an L.
 ///
 /// Left out are:
-/// - a pair whose contact is on an inner face: the middle of its points is covered by another piece
-///   of the same body;
+/// - a pair whose contact is on an inner face: another piece of the same body covers each of its
+///   points;
 /// - a pair at an edge or a vertex where another piece goes on beyond the plane of support, if that
 ///   piece has points with the same piece of the other body: a ball that rolls over the joint of
 ///   two boxes does not hit the edges inside;
