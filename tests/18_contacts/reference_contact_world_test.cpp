@@ -101,6 +101,22 @@ TEST_CASE("a box on a slope rests or slides, depending on the angle") {
   }
 }
 
+TEST_CASE("friction that only makes a ball roll does not change its way") {
+  const V up(-0.6, 0, 0.8);
+  std::vector<V> ends;
+  for (const double friction : {1.0, 10.0}) {
+    std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({up, 0})};
+    bodies.push_back(contact::solid_ball<double>(2, 0.5, V(up * 0.5)));
+    for (auto& body : bodies) body.friction = friction;
+    contact::StepMemory<double> memory;
+    for (int step = 0; step < 60; ++step) contact::step_contacts(bodies, memory);
+    ends.push_back(bodies[1].motion.position);
+  }
+  CHECK((ends[1] - ends[0]).norm() < 1e-9);
+  // 5/7 g sin/2 down the slope after a second, and half a step's way more.
+  CHECK(std::abs((ends[0] - up * 0.5).norm() - 5.0 / 14 * 9.80665 * 0.6 * (1 + 1.0 / 60)) < 1e-7);
+}
+
 TEST_CASE("equal starts give equal bits, and a ball rolls, bounces and comes to rest") {
   const auto run = [] {
     std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({V(0, 0, 1), 0})};

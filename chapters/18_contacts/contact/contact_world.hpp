@@ -141,8 +141,10 @@ bool far_apart(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
 /// All contacts of bodies within the margin, by pairs in the order of the list and by points in the
 /// order of the manifold. All pairs are tested, most of them only by their bounding spheres.
 ///
-/// A gap may close within the step, but not become negative. After an impact faster than the rest
-/// speed the bodies separate with e times the speed of approach.
+/// A gap may close within the step, but not become negative. Bodies farther apart than the margin
+/// are no contact: if they approach faster than margin/h, they may overlap afterwards by their way
+/// in the step. After an impact faster than the rest speed the bodies separate with e times the
+/// speed of approach.
 template <std::floating_point S>
 std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodies,
                                           const StepSettings<S>& settings) {
@@ -268,13 +270,16 @@ SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
 /// How much farther a body slides in a step than its velocity afterwards says: friction is constant
 /// while it slides, so it moves with the mean of both velocities, until it stops.
 ///
-/// Only for a body whose contacts have one normal and no impact, with immovable bodies at rest, and
-/// only perpendicular to this normal: then no gap changes. Let P be the change of momentum in the
+/// Only for a body that does not rotate, whose contacts have one normal and no impact, with
+/// immovable bodies at rest, and only perpendicular to this normal: then no gap changes. (The
+/// frictions at the corners of a box that spins have different directions, and a ball that rolls
+/// does not slide: for those the way depends on the step.) Let P be the change of momentum in the
 /// plane. A body that still slides has used all friction, and slides for the whole step h. If of
 /// the largest friction impulse μ N some s is left, it stopped after the time h P / (s + P):
 /// constant friction μ N/h acted until then, and afterwards a force that balances the load; the
-/// equation of both impulses gives this time. So a box that slides to rest covers v²/(2 μ g),
-/// whatever the step.
+/// equation of both impulses gives this time, if the slip and the load are parallel. So a box that
+/// slides to rest without rotation, on level ground or straight up or down a slope, covers the
+/// right way, v²/(2 μ g) on the level, whatever the step.
 /// @param before with the velocity before gravity and impulses
 template <std::floating_point S>
 Vector3<S> slide_correction(const std::vector<RigidBody<S>>& before,
@@ -286,6 +291,7 @@ Vector3<S> slide_correction(const std::vector<RigidBody<S>>& before,
   Vector3<S> normal = none;
   Vector3<S> friction = none;
   S most(0);
+  S reach(0);
   const S slow = std::sqrt(S(settings.gravity.dot(settings.gravity))) * settings.step;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const BodyContact<S>& c = contacts[i];
@@ -301,10 +307,16 @@ Vector3<S> slide_correction(const std::vector<RigidBody<S>>& before,
     normal = n;
     friction += is_a ? impulses[i].tangential : Vector3<S>(-impulses[i].tangential);
     most += c.friction * impulses[i].normal;
+    reach = std::max(reach, (c.point - before[body].position).cwiseAbs().maxCoeff());
   }
   if (normal == none) return none;
   Vector3<S> slower = before[body].velocity - after[body].velocity;
   slower -= normal * normal.dot(slower);
+  const auto turn = [](const RigidBody<S>& one) {
+    return one.angular_velocity.cwiseAbs().maxCoeff();
+  };
+  const S rotation = reach * std::max(turn(before[body]), turn(after[body]));
+  if (!(rotation <= S(0x1p-24) * slower.cwiseAbs().maxCoeff())) return none;  // beyond rounding
   const S change = before[body].mass * std::sqrt(S(slower.dot(slower)));
   const S rest = std::max(S(0), most - std::sqrt(S(friction.dot(friction))));
   if (!(change > S(0))) return none;
@@ -327,8 +339,9 @@ Vector3<S> slide_correction(const std::vector<RigidBody<S>>& before,
 /// task.
 ///
 /// The angular momentum of a body without contacts is conserved: its angular velocity follows from
-/// its orientation. Penetration, from the start or by rounding, is not corrected, and does not
-/// grow.
+/// its orientation. Penetration (from the start, by rounding, or of bodies that were too fast for
+/// the margin) is not corrected, and does not grow at the contact points. An immovable body keeps
+/// its orientation, and a half-space its place, also if they have velocities.
 /// @param memory of the previous step, replaced by that of this step; empty for the first step
 /// @return how the solver ended: not `settled` if the impulses are only an approximation
 template <std::floating_point S>
