@@ -17,6 +17,7 @@
 #include <contact/gjk_simplex.hpp>
 #include <contact/inside_points.hpp>
 #include <contact/outward.hpp>
+#include <contact/products.hpp>
 #include <contact/proximity_cases.hpp>
 #include <contact/support.hpp>
 #include <contact/vector.hpp>
@@ -58,7 +59,8 @@ class EarlyDecision {
   /// Each vertex w farthest against the direction v shows whether v may separate: if v · w > (rₐ +
   /// r_b) |v|. Each simplex may prove an overlap that has the origin inside or closer than the
   /// radii. The first that is proved is the answer; a vertex that is known already, or a simplex
-  /// that is no closer than the last, ends the search without one.
+  /// that is no closer than the last, ends the search. Then the origin may be on a face of the
+  /// simplex up to rounding, and vertices on both sides of it prove an overlap.
   Proximity run() {
     Vector3<double> v = centre_a_ - centre_b_;
     if (v == Vector3<double>::Zero()) v = Vector3<double>::UnitX();
@@ -86,7 +88,7 @@ class EarlyDecision {
       if (!(squared < nearest)) break;
       nearest = squared;
     }
-    return Proximity::undecided;
+    return is_surrounded() ? Proximity::overlapping : Proximity::undecided;
   }
   // [/early-run]
 
@@ -160,16 +162,59 @@ class EarlyDecision {
   bool is_proved_to_overlap() const {
     BoundedDifferences differences(offset_size(a_) + offset_size(b_));
     for (std::size_t i = 0; i < at(count_); ++i) {
-      const auto of_a = member(a_, of_a_[i], centre_a_);
-      const auto of_b = member(b_, of_b_[i], centre_b_);
-      if (!of_a || !of_b) return false;
-      differences.add(*of_a, *of_b);
+      if (!add_pair(differences, of_a_[i], of_b_[i])) return false;
     }
     const double reach = sum_down(radius_of(a_), radius_of(b_));
     return (reach > 0 && differences.distance_up(weights_) < reach) ||
            differences.certainly_surround() || (count_ == 4 && has_common_inner_point());
   }
   // [/early-overlap]
+
+  // [early-surrounded]
+  /// Whether three vertices and the farthest ones on both sides of their plane certainly surround
+  /// the origin, also where it is in the plane itself: for each pair of them, the plane through
+  /// both and the origin has vertices certainly on both sides. By surrounds_origin() that suffices.
+  bool is_surrounded() const {
+    if (count_ < 3) return false;
+    int least = 3;
+    for (int i = 0; i < 3 && count_ == 4; ++i) {
+      if (weights_[at(i)] < weights_[at(least)]) least = i;
+    }
+    BoundedDifferences differences(offset_size(a_) + offset_size(b_));
+    std::array<Vector3<double>, 3> corner;
+    std::size_t found = 0;
+    for (int i = 0; i < count_; ++i) {
+      if (i == least) continue;
+      if (!add_pair(differences, of_a_[at(i)], of_b_[at(i)])) return false;
+      corner[found++] = w_[at(i)];
+    }
+    const Vector3<double> n =
+        cross_plain(Vector3<double>(corner[1] - corner[0]), Vector3<double>(corner[2] - corner[0]));
+    const Vector3<double> opposite = -n;
+    if (!add_pair(differences, core_a_.farthest(n), core_b_.farthest(opposite)) ||
+        !add_pair(differences, core_a_.farthest(opposite), core_b_.farthest(n))) {
+      return false;
+    }
+    for (std::size_t i = 0; i < differences.count(); ++i) {
+      for (std::size_t j = i + 1; j < differences.count(); ++j) {
+        bool positive = false, negative = false;
+        for (std::size_t k = 0; k < differences.count(); ++k) {
+          const int sign = k == i || k == j ? 0 : differences.certain_sign_of_volume(i, j, k);
+          positive = positive || sign > 0;
+          negative = negative || sign < 0;
+        }
+        if (!positive || !negative) return false;
+      }
+    }
+    return true;
+  }
+  // [/early-surrounded]
+  bool add_pair(BoundedDifferences& differences, const KeyA& p, const KeyB& q) const {
+    const auto of_a = member(a_, p, centre_a_);
+    const auto of_b = member(b_, q, centre_b_);
+    if (of_a && of_b) differences.add(*of_a, *of_b);
+    return of_a && of_b;
+  }
 
   static Vector3<double> point_of(const PositionAndOffset& p) { return p.position + p.offset; }
 
