@@ -77,6 +77,7 @@ function(contact_add_exercise_host)
   target_include_directories(contact_exercise_host PRIVATE "${source}/tests" "${source}/grading")
   target_link_libraries(contact_exercise_host PRIVATE
     contact_00_vectors Catch2::Catch2 nlohmann_json::nlohmann_json contact_warnings)
+  contact_compile_quickly(contact_exercise_host)
   # Tests of exercises reuse it, so that each is compiled quickly.
   target_precompile_headers(contact_exercise_host PRIVATE "${source}/tests/support/exercise_precompiled.hpp")
 
@@ -87,9 +88,11 @@ function(contact_add_exercise_host)
     target_include_directories(${target} PRIVATE "${source}/grading")
     target_link_libraries(${target} PRIVATE
       contact_00_vectors nlohmann_json::nlohmann_json contact_warnings)
+    contact_compile_quickly(${target})
   endforeach()
 
   contact_add_precompiled(contact_remote_precompiled <Eigen/Core> <Eigen/Geometry> <contact/remote.hpp>)
+  contact_compile_quickly(contact_remote_precompiled)
   target_include_directories(contact_remote_precompiled PRIVATE "${source}/grading")
 
   # The prelude stands alone in a folder, so that a student's file cannot include anything else of grading/.
@@ -151,6 +154,7 @@ function(contact_add_exercise chapter name)
   target_include_directories(${target}_tests PRIVATE "${contract_dir}" "${source}/tests" "${source}/grading")
   target_link_libraries(${target}_tests PRIVATE contact_${chapter} contact_00_vectors Catch2::Catch2
     nlohmann_json::nlohmann_json contact_warnings)
+  contact_compile_quickly(${target}_tests)
   target_precompile_headers(${target}_tests REUSE_FROM contact_exercise_host)
 
   # The contract's proxy and server.
@@ -163,6 +167,7 @@ function(contact_add_exercise chapter name)
     add_library(${target}_${side} OBJECT "${out}/${name}.${side}.cpp")
     target_include_directories(${target}_${side} PRIVATE "${contract_dir}" "${source}/grading")
     target_link_libraries(${target}_${side} PRIVATE contact_00_vectors contact_warnings)
+    contact_compile_quickly(${target}_${side})
     target_precompile_headers(${target}_${side} REUSE_FROM contact_remote_precompiled)
   endforeach()
 

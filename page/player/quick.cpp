@@ -6,6 +6,7 @@
 #include <src/hard_sphere_run.cpp>
 #include <src/hard_sphere_scene.cpp>
 #include <src/hard_sphere_times.cpp>
+#include <src/hull_contact.cpp>
 #include <src/make_scene_run.cpp>
 #include <src/scene_run.cpp>
 #include <src/stage_contacts.cpp>

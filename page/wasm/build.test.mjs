@@ -126,3 +126,28 @@ test("the program's own words: an unknown name lists what there is; wrong usage 
 test("a compiler other than the one that we corrected is refused", () => {
   assert.throws(() => mended("something else"), /no longer fits/);
 });
+
+test("the scene player has the source of each header that its sources include", () => {
+  const chapter = inRoot("chapters", "20_scenes");
+  const read = (/** @type {string} */ file) => fs.readFileSync(file, "utf8");
+  const parts = ["quick.cpp", "small.cpp"].map((part) => read(inRoot("page", "player", part)));
+  const taken = [...parts.join("").matchAll(/#include <(src\/\w+\.cpp)>/g)].map(
+    (one) => `${one[1]}`,
+  );
+  const seen = new Set(taken.map((name) => path.join(chapter, name)));
+  const needed = new Set();
+  for (const file of seen) {
+    const code = read(file);
+    for (const [, source] of code.matchAll(/#include "[./]*(src\/\w+\.cpp)"/g)) needed.add(source);
+    for (const [, name] of code.matchAll(/#include [<"](contact\/\w+\/\w+\.hpp)[>"]/g)) {
+      const header = path.join(chapter, `${name}`);
+      if (fs.existsSync(header)) seen.add(header);
+    }
+  }
+  assert.ok(needed.size > 20);
+  needed.delete("src/scene_writer.cpp"); // the page writes no scenes
+  assert.deepEqual(
+    [...needed].filter((source) => !taken.includes(source)),
+    [],
+  );
+});

@@ -198,12 +198,14 @@ describe("every ladder finds the wrong answers that its native program finds", (
             assert.equal(mine.n, theirs.n, what);
             assert.equal(mine.wrong, theirs.wrong, what);
             assert.equal(mine.undecided, theirs.undecided, what);
-            if (theirs.error_max === null) assert.ok(Number.isNaN(mine.error_max), what);
-            else
-              assert.ok(
-                Math.abs(mine.error_max - theirs.error_max) <= 1e-6 * theirs.error_max,
-                what,
-              );
+            // Two libraries may round an arccosine or an exponential to neighbouring numbers.
+            const rounding = method.scalar === "float" ? 2 ** -22 : 2 ** -51;
+            if (theirs.error_max === null) {
+              assert.ok(Number.isNaN(mine.error_max), what);
+            } else {
+              const differ = Math.abs(mine.error_max - theirs.error_max);
+              assert.ok(differ <= 1e-6 * theirs.error_max + rounding, `${what}: ${differ}`);
+            }
             assert.ok(mine.ns_median > 0, what);
           }
         }

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -46,26 +47,36 @@ def sources(root: Path) -> Iterator[Path]:
                 yield file
 
 
-def included(root: Path, file: Path, folders: Sequence[Path]) -> Iterator[tuple[str, set[Path]]]:
+def finder(root: Path) -> Callable[[str], set[Path]]:
+    """The files of the root that a name may mean; each name is looked for once."""
+    folders = [root / name for name in FOLDERS]
+    folders += [folder for pattern in FOLDERS_OF_EACH for folder in sorted(root.glob(pattern))]
+
+    @cache
+    def find(name: str) -> set[Path]:
+        return {(folder / name).resolve() for folder in folders if (folder / name).is_file()}
+
+    return find
+
+
+def included(
+    root: Path, file: Path, find: Callable[[str], set[Path]]
+) -> Iterator[tuple[str, set[Path]]]:
     """Each name that a source includes, and the files of the root that it may mean."""
     for mark, name in INCLUDE.findall(file.read_text(encoding="utf-8")):
-        beside = (file.parent / name).resolve()
-        if mark == '"' and beside.is_file():
-            found = {beside}
-        else:
-            found = {(folder / name).resolve() for folder in folders}
+        beside = file.parent / name
+        found = {beside.resolve()} if mark == '"' and beside.is_file() else find(name)
         # A submission that attacks the grader includes what is none of the book's.
-        yield name, {one for one in found if one.is_file() and one.is_relative_to(root)}
+        yield name, {one for one in found if one.is_relative_to(root)}
 
 
 def arrows_of(root: Path) -> Arrows:
-    folders = [root / name for name in FOLDERS]
-    folders += [folder for pattern in FOLDERS_OF_EACH for folder in sorted(root.glob(pattern))]
+    find = finder(root)
     found: Arrows = {}
     for file in sources(root):
         name = file.relative_to(root).as_posix()
         room = room_of(name)
-        for words, targets in included(root, file, folders):
+        for words, targets in included(root, file, find):
             for other in {room_of(one.relative_to(root).as_posix()) for one in targets} - {room}:
                 found.setdefault((room, other), []).append(f"{name} includes {words} of {other}")
     return found

@@ -15,6 +15,7 @@
 #include <contact/box_proximity.hpp>
 #include <contact/closest_points.hpp>
 #include <contact/convex_shapes.hpp>
+#include <contact/early_decision.hpp>
 #include <contact/exact_distance.hpp>
 #include <contact/exact_fraction.hpp>
 #include <contact/proximity_cases.hpp>
@@ -131,9 +132,11 @@ inline Proximity proximity(const Capsule<double>& a, const Capsule<double>& b) {
 // [/capsules]
 
 // [capsule-box]
-/// Which of the three cases holds for a capsule and a box. As for two capsules; a capsule of radius
-/// 0 collides if its segment enters the interior of the box.
+/// Which of the three cases holds for a capsule and a box. As for two capsules, after GJK cut
+/// short; a capsule of radius 0 collides if its segment enters the interior of the box.
 inline Proximity proximity(const Capsule<double>& a, const OrientedBox<double>& b) {
+  const Proximity early = detail::early_decision(a, b);
+  if (early != Proximity::undecided) return early;
   const ClosestPoints<double> near = closest_points<double>(a.core, b);
   const Vector3<double> n = near.on_a - near.on_b;
   if (surely_separates(a, b, n)) return Proximity::disjoint;

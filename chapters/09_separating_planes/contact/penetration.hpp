@@ -105,6 +105,18 @@ class ExpandingPolytope {
   bool is_visible(const Face& f, const Vector3<S>& p) const {
     return orient_3d(wide(w(f.v[0])), wide(w(f.v[1])), wide(w(f.v[2])), wide(p)) > 0;
   }
+  /// Whether three points are certainly not in line. A difference is off by u of itself, so a
+  /// product of two by γ(3), and a coordinate of the cross product by less than 8 u of its terms.
+  static bool certainly_not_in_line(const Vector3<S>& p, const Vector3<S>& q, const Vector3<S>& r) {
+    constexpr S least = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
+    const Vector3<S> d = q - p, e = r - p;
+    for (int i = 0; i < 3; ++i) {
+      const S one = d((i + 1) % 3) * e((i + 2) % 3), other = d((i + 2) % 3) * e((i + 1) % 3);
+      const S room = 8 * tolerance::unit_roundoff<S> * (std::abs(one) + std::abs(other));
+      if (room > least && std::abs(one - other) > room) return true;
+    }
+    return false;
+  }
   /// The unit normal of three vertices, exact but for the last rounding.
   Vector3<S> exact_normal(int i, int j, int k) const {
     const Vector3<Exact> p = exact_vector<S>(w(i));
@@ -158,6 +170,7 @@ bool ExpandingPolytope<A, B>::begin() {
     const auto count = vertices_.size();
     if (count == 1) return p.w != w(0);
     if (count == 2) {
+      if (certainly_not_in_line(w(0), w(1), p.w)) return true;
       const Vector3<Exact> d = exact_vector<S>(w(1)) - exact_vector<S>(w(0));
       const Vector3<Exact> e = exact_vector<S>(p.w) - exact_vector<S>(w(0));
       return d.cross(e) != Vector3<Exact>::Zero();

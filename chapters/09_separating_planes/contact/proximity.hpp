@@ -10,6 +10,7 @@
 #include <contact/certificates.hpp>
 #include <contact/certified_cores.hpp>
 #include <contact/closed_proximity.hpp>
+#include <contact/early_decision.hpp>
 #include <contact/exact_support.hpp>
 #include <contact/gjk.hpp>
 #include <contact/half_space_proximity.hpp>
@@ -73,10 +74,14 @@ CertifiedProximity certified_proximity(const HalfSpace<S>& a, const B& b) {
 
 // [proximity-of-any]
 /// How two bodies lie to each other, for pairs without a closed form of their own: the state of
-/// certified_proximity().
+/// certified_proximity(), or where that is undecided perhaps a proved one.
+///
+/// GJK is asked first, cut short: most pairs are proved to be disjoint or to overlap long before
+/// their distance is known.
 template <ConvexBody A, ConvexBody B>
 Proximity proximity(const A& a, const B& b) {
-  return certified_proximity(a, b).state;
+  const Proximity early = detail::early_decision(detail::as_double(a), detail::as_double(b));
+  return early == Proximity::undecided ? certified_proximity(a, b).state : early;
 }
 /// The same for a body and a half-space.
 template <ConvexBody A, FloatOrDouble S>

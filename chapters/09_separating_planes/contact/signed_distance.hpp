@@ -9,11 +9,13 @@
 #include <limits>
 #include <type_traits>
 
+#include <contact/bounded_differences.hpp>
 #include <contact/gjk.hpp>
 #include <contact/gjk_cores.hpp>
 #include <contact/penetration.hpp>
 #include <contact/signed_distance_boxes.hpp>
 #include <contact/signed_distance_capsules.hpp>
+#include <contact/signed_distance_cylinder.hpp>
 #include <contact/signed_distance_half_space.hpp>
 #include <contact/signed_distance_result.hpp>
 #include <contact/support.hpp>
@@ -49,11 +51,27 @@ ScalarOf<Body> extent_of(const Body& body) {
   return sum;
 }
 
+/// Whether bounds prove that two cores meet, by the tetrahedron of GJK: then core_direction() would
+/// find the direction 0.
+template <PolytopeCore A, PolytopeCore B>
+bool certainly_meet(const GjkResult<ScalarOf<A>>& near, const A& a, const B& b) {
+  if constexpr (std::same_as<ScalarOf<A>, double>) {
+    if (near.count != 4) return false;
+    BoundedDifferences differences(offset_size(a) + offset_size(b));
+    for (const GjkVertex<double>& v : near.simplex) {
+      differences.add(vertex_from_position(a, v.a), vertex_from_position(b, v.b));
+    }
+    return differences.certainly_surround();
+  } else {
+    return false;
+  }
+}
+
 // [general-distance]
 /// The signed distance of two bodies of any kinds: by GJK if their cores are apart, by EPA if they
-/// meet. Cores of polytopes that almost meet are decided and measured exactly. Smooth bodies that
-/// almost meet are left to EPA, too: GJK's difference of two points is then too short for a
-/// direction.
+/// meet. Cores of polytopes that almost meet are decided and measured exactly, unless bounds prove
+/// that GJK's tetrahedron has the origin inside. Smooth bodies that almost meet are left to EPA,
+/// too: GJK's difference of two points is then too short for a direction.
 /// @param size at least the largest coordinate of both, m
 template <ConvexBody A, ConvexBody B>
 SignedDistance<ScalarOf<A>> general_distance(const A& a, const B& b, const ScalarOf<A>& size) {
@@ -65,8 +83,10 @@ SignedDistance<ScalarOf<A>> general_distance(const A& a, const B& b, const Scala
   };
   if constexpr (PolytopeCore<A> && PolytopeCore<B>) {
     if (!is_near(near.distance, size)) return along(near.distance, normalised<S>(near.between));
-    const CoreDirection<S> exact = core_direction(a, b);
-    if (exact.normal != Vector3<S>::Zero()) return along(exact.distance, exact.normal);
+    if (!certainly_meet(near, a, b)) {
+      const CoreDirection<S> exact = core_direction(a, b);
+      if (exact.normal != Vector3<S>::Zero()) return along(exact.distance, exact.normal);
+    }
   } else {
     constexpr S root = std::same_as<S, double> ? S(0x1p-33) : S(0x1p-14);
     if (near.distance > root * (extent_of(a) + extent_of(b))) {

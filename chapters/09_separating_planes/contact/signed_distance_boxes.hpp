@@ -212,7 +212,7 @@ SignedDistance<S> closed_distance(const OrientedBox<S>& a, const OrientedBox<S>&
   const Vector3<S>& n = widest.normal;
   const S size = std::max(largest_coordinate(a), largest_coordinate(b));
   if (widest.separation > distance_error(size)) {
-    const ClosestPoints<S> near = closest_points<S>(a, b);
+    const ClosestPoints<S> near = closest_points<S>(a, b, n);
     const Vector3<S> between = near.on_a - near.on_b;
     const auto along = [&near](const S& distance, const Vector3<S>& normal) {
       return signed_distance_of_cores<S>(near.on_a, S(0), near.on_b, S(0), distance, normal);

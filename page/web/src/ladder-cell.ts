@@ -86,7 +86,10 @@ function nameAt([x, y]: Point, marks: readonly Point[], width: number, axisName:
     marks.filter(
       ([p, q]) => Math.abs(p - at) < half + MARK && q > line - 9 - MARK && q < line + 3 + MARK,
     ).length;
-  const places: Point[] = [y - 11, y + 21]
+  const lines = [y - 11, y + 21];
+  for (let away = 8; away < FRAME.bottom - FRAME.top; away += 8)
+    lines.push(y - 11 - away, y + 21 + away);
+  const places: Point[] = lines
     .filter((line) => line > FRAME.top + 10 && line < FRAME.bottom - 2)
     .flatMap((line) => [x, x + half, x - half].map((at): Point => [within(at), line]));
   // Above the frame there are no marks, but the axis has its name there.
