@@ -37,7 +37,7 @@ namespace detail {
 inline constexpr int max_rows_in_order = 192;
 
 /// Iterative refinement of y in the chosen rows, with a factorisation of them.
-/// @param number place of each row in the factorisation
+/// @param number the row of the factorisation for each row, or −1
 /// @return whether the solve succeeded
 template <std::floating_point S, class Factors>
 bool refine(const Factors& eliminated, const ImpulseRows<S>& problem,

@@ -142,9 +142,9 @@ bool far_apart(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
 /// order of the manifold. All pairs are tested, most of them only by their bounding spheres.
 ///
 /// A gap may close within the step, but not become negative. Bodies farther apart than the margin
-/// are no contact: if they approach faster than margin/h, they may overlap afterwards by their way
-/// in the step. After an impact faster than the rest speed the bodies separate with e times the
-/// speed of approach.
+/// are no contact: if they approach faster than margin/h, they may overlap afterwards by their
+/// displacement in the step. After an impact faster than the rest speed the bodies separate with e
+/// times the speed of approach.
 template <std::floating_point S>
 std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodies,
                                           const StepSettings<S>& settings) {
@@ -341,7 +341,7 @@ Vector3<S> slide_correction(const std::vector<RigidBody<S>>& before,
 /// The angular momentum of a body without contacts is conserved: its angular velocity follows from
 /// its orientation. Penetration (from the start, by rounding, or of bodies that were too fast for
 /// the margin) is not corrected, and does not grow at the contact points. An immovable body keeps
-/// its orientation, and a half-space its place, also if they have velocities.
+/// its orientation, and a half-space its position, also if they have velocities.
 /// @param memory of the previous step, replaced by that of this step; empty for the first step
 /// @return how the solver ended: not `settled` if the impulses are only an approximation
 template <std::floating_point S>
