@@ -82,6 +82,20 @@ std::vector<ImpulseComponents<S>> clamped_impulses(const std::vector<PreparedCon
   return impulses;
 }
 
+/// Impulses as vectors, from their components.
+template <std::floating_point S>
+std::vector<ContactImpulse<S>> impulses_of(const std::vector<PreparedContact<S>>& prepared,
+                                           const std::vector<ImpulseComponents<S>>& components) {
+  std::vector<ContactImpulse<S>> impulses;
+  impulses.reserve(prepared.size());
+  for (std::size_t i = 0; i < prepared.size(); ++i) {
+    const auto& [normal, one, two] = components[i];
+    impulses.push_back(
+        {normal, Vector3<S>(prepared[i].direction[1] * one + prepared[i].direction[2] * two)});
+  }
+  return impulses;
+}
+
 /// The bodies after impulses, and their report. If restitution has added energy, it is reduced
 /// until it does not. The work of immovable bodies that move does not count as added, so they make
 /// no difference: energy_made() depends only on relative velocities, and so does the proof of
@@ -109,11 +123,7 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
   }
   solved.report.rounding = impulse_rounding(bodies, prepared, impulses);
   solved.report.settled = solved.report.residual <= tolerance + solved.report.rounding;
-  for (std::size_t i = 0; i < prepared.size(); ++i) {
-    solved.impulses.push_back(
-        {impulses[i][0], Vector3<S>(prepared[i].direction[1] * impulses[i][1] +
-                                    prepared[i].direction[2] * impulses[i][2])});
-  }
+  solved.impulses = impulses_of(prepared, impulses);
   return solved;
 }
 

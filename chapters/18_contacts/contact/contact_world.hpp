@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -245,24 +246,28 @@ SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
   few.relaxation = S(1);
   std::vector<ImpulseComponents<S>> impulses = clamped_impulses(prepared, start);
   const SolverReport<S> report = iterate_until(bodies, prepared, impulses, few);
-  SolvedContacts<S> solved = solved_after(bodies, prepared, impulses, report, few);
-  if (solved.report.settled || settings.iterations <= few.iterations) return solved;
-  const auto better = [&](const SolvedContacts<S>& other) {
-    return other.report.settled || !(other.report.residual >= solved.report.residual);
-  };
-  const int done = solved.report.iterations;
-  const auto exact = settings.friction_bound == FrictionBound::cone
-                         ? solve_active_set(bodies, contacts, solved.impulses, FrictionLaw::coulomb,
-                                            settings.tolerance)
-                         : std::nullopt;
-  if (exact && better(*exact)) solved = *exact;
-  solved.report.iterations = done;
-  if (solved.report.settled) return solved;
+  const auto iterated = [&] { return solved_after(bodies, prepared, impulses, report, few); };
+  const bool last = settings.iterations <= few.iterations;
+  std::optional<SolvedContacts<S>> solved;
+  if (last || !(report.last_change > few.tolerance)) {
+    solved = iterated();
+    if (last || solved->report.settled) return *solved;
+  }
+  if (settings.friction_bound == FrictionBound::cone) {
+    auto exact = solve_active_set_of(
+        bodies, settings.jacobi ? prepared_contacts(bodies, contacts) : prepared,
+        impulses_of(prepared, impulses), FrictionLaw::coulomb, settings.tolerance);
+    if (exact) exact->report.iterations = report.iterations;
+    if (exact && exact->report.settled) return *exact;
+    if (!solved) solved = iterated();
+    if (exact && exact->report.residual < solved->report.residual) solved = std::move(exact);
+  }
+  if (!solved) solved = iterated();
   SolverSettings<S> rest = settings;
-  rest.iterations -= done;
-  SolvedContacts<S> more = solve_contacts(bodies, contacts, solved.impulses, rest);
-  more.report.iterations += done;
-  return better(more) ? more : solved;
+  rest.iterations -= report.iterations;
+  SolvedContacts<S> more = solve_contacts(bodies, contacts, solved->impulses, rest);
+  more.report.iterations += report.iterations;
+  return more.report.settled || more.report.residual < solved->report.residual ? more : *solved;
 }
 // [/solve-step]
 
