@@ -132,7 +132,7 @@ function(contact_add_ladder_harness)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   set_property(SOURCE ${harness} APPEND PROPERTY COMPILE_DEFINITIONS
     "CONTACT_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
-    "CONTACT_FLAGS=\"-std=c++20 ${CMAKE_CXX_FLAGS_${type}} -O2 -U_GLIBCXX_ASSERTIONS -DNDEBUG -ffp-contract=off -DEIGEN_DONT_VECTORIZE\"")
+    "CONTACT_FLAGS=\"-std=c++20 ${CMAKE_CXX_FLAGS_${type}} -O2 -U_GLIBCXX_ASSERTIONS -DNDEBUG -ffp-contract=off -fno-tree-slp-vectorize -DEIGEN_DONT_VECTORIZE\"")
   target_precompile_headers(contact_ladder_harness PRIVATE <Eigen/Core> <Eigen/Geometry> <nlohmann/json.hpp>
     <boost/multiprecision/gmp.hpp>)
 endfunction()

@@ -7,8 +7,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 CONSUMER = Path(__file__).resolve().parent / "consumer"
-# The point's distance; of gravity, that it is off where there is none and on else.
-PRINTED = "4\n0\n1\n"
+# The point's distance; of gravity, that it is off where there is none and on else; two roundings.
+PRINTED = "4\n0\n1\nrounded\n"
 
 
 def run(*command: str | Path) -> str:
@@ -23,7 +23,8 @@ def build_consumer(folder: Path, *options: str) -> str:
     """Configures and builds the consumers there, and returns what they print."""
     run("cmake", "-G", "Ninja", "-S", CONSUMER, "-B", folder, "-DCMAKE_BUILD_TYPE=Debug", *options)
     run("cmake", "--build", folder)
-    return run(folder / "consumer") + run(folder / "consumer_plan")
+    programs = ("consumer", "consumer_plan", "consumer_rounding")
+    return "".join(run(folder / program) for program in programs)
 
 
 def test_found_as_a_package(tmp_path: Path) -> None:
