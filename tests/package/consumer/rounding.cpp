@@ -16,8 +16,8 @@ struct Pair {
 
 }  // namespace
 
-int main() {
-  const double numbers[] = {0.1, 0.3};
+int main(int argc, char**) {
+  const double numbers[] = {argc * 0.1, argc * 0.3};  // not known to the compiler
   const Pair pair = rounded(numbers);
   const bool both = pair.one != numbers[0] && pair.two != numbers[1];
   std::cout << (both ? "rounded" : "not rounded") << '\n';
