@@ -176,9 +176,9 @@ TEST_CASE("a symmetric sum is the same in any order, reversed by reversed terms,
       largest = std::max(largest, Rational(abs(oracle::exact(x))));
     }
     const Rational n = Rational(static_cast<int>(terms.size()));
-    const Rational u = oracle::exact(reference::u);
+    const Rational unit = oracle::exact(reference::u);
     CHECK(abs(Rational(oracle::exact(sum) - exact)) <=
-          u * abs(exact) + 64 * n * n * n * u * u * largest + oracle::exact(0x1p-1074));
+          unit * abs(exact) + 64 * n * n * n * unit * unit * largest + oracle::exact(0x1p-1074));
     auto other = terms;
     shuffle(random, other);
     CHECK(contact::symmetric_sum(other) == sum);
