@@ -188,7 +188,7 @@ describe("ladders", { skip }, () => {
         } else {
           for (const picture of await ladder.locator("table.ladder-picture").all()) {
             const table = await picture.boundingBox();
-            assert.ok(table && table.height <= 920, `the picture is ${table?.height} px high`);
+            assert.ok(table && table.height <= 720, `the picture is ${table?.height} px high`);
           }
         }
         await close();
