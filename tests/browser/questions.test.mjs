@@ -56,6 +56,11 @@ describe("questions", { skip }, () => {
   /** States that trying at random would not find: here, a curve of 31 numbers with a given area. */
   const known = {
     stops_gently: { drawn: Array(31).fill(0.8), duration: 8, mass: 0.5, speed: 12.4, beside: 0 },
+    // A stiff contact with little damping.
+    hard_bounce: { hardness: 0.8, ratio: 0.05, time: 0, release: 0 },
+    // Steps below the stability limit: of semi-implicit Euler, and of implicit Euler without a damper.
+    gains: { step: 0.06, stiffness: 1000, ratio: 0, scheme: 1, phase: 0.05 },
+    damps_itself: { step: 0.02, stiffness: 1000, ratio: 0, scheme: 3, phase: 0.5 },
   };
   /** A state of the figure for which its C++ says yes, found by trying. */
   function winning(

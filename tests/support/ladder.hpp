@@ -76,7 +76,6 @@ struct Family {
 /// What a method made of one family.
 struct Judgement {
   std::size_t n = 0, wrong = 0, undecided = 0;
-  /// NaN where no answer has an error, and where it is infinite: a plot has no place for it.
   double error_median = std::nan(""), error_max = std::nan("");
 };
 
@@ -264,9 +263,8 @@ class Ladder : public Experiment {
       if (!std::isnan(verdict.error)) errors.push_back(verdict.error);
     }
     if (!errors.empty()) {
-      const auto finite = [](double x) { return std::isfinite(x) ? x : std::nan(""); };
-      result.error_max = finite(*std::max_element(errors.begin(), errors.end()));
-      result.error_median = finite(spread(std::move(errors)).median);
+      result.error_max = *std::max_element(errors.begin(), errors.end());
+      result.error_median = spread(std::move(errors)).median;
     }
     return result;
   }

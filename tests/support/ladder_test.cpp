@@ -5,7 +5,6 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -107,28 +106,6 @@ TEST_CASE("by error, the failure has the largest error of the family") {
   const auto failure = ladder.failure(wrong_method, true);
   REQUIRE(failure);
   CHECK(failure->verdict.error == ladder.judge().error_max);
-}
-
-TEST_CASE("an infinite error is no largest error that could be drawn") {
-  const auto judge = [](const int& got, const int& right) {
-    ladder::Verdict verdict;
-    verdict.wrong = got != right;
-    verdict.error = got == right ? 0 : HUGE_VAL;
-    return verdict;
-  };
-  ladder::Ladder<Numbers, int> ladder("How large is the sum?", sum, judge);
-  ladder.family("all", "all", [](generators::Random& random) {
-    return Numbers{random.integer(0, 9), random.integer(0, 9)};
-  });
-  ladder.method({.id = "sum", .title = "sum", .scalar = "int", .exact = true}, sum);
-  ladder.method({.id = "first", .title = "first", .scalar = "int", .exact = false},
-                [](const Numbers& numbers) { return numbers.front(); });
-  ladder.prepare(0, 200);
-  ladder.pass(0);
-  CHECK(ladder.judge().error_max == 0);
-  ladder.pass(1);
-  CHECK(ladder.judge().wrong > 0);
-  CHECK(std::isnan(ladder.judge().error_max));
 }
 
 TEST_CASE("a failure is simplified as far as the method stays wrong") {

@@ -13,6 +13,9 @@ export function measureOf({ families, results }: LadderResult, family: string): 
   return rows.some((row) => (row.error_max ?? 0) > 0) ? "error" : "wrong";
 }
 
+/** An error as the result files have it: none, or an infinite one after an overflow, is null. */
+export const knownError = (error: number): number | null => (Number.isFinite(error) ? error : null);
+
 export const cellValue = (row: LadderRow, measure: Measure): number | null =>
   measure === "wrong" ? row.wrong / row.n : row.error_max;
 

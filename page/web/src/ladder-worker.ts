@@ -2,6 +2,7 @@
 
 import { type Ladder, type LadderResult, loadLadder } from "../../wasm/loader.ts";
 import type { LadderRow, WorkerMessage } from "./ladder-data.ts";
+import { knownError } from "./ladder-measure.ts";
 
 const MOST_INPUTS = 2000;
 const FEWEST_INPUTS = 16;
@@ -62,13 +63,12 @@ function inputsFor(
 }
 
 function rowFrom(result: LadderResult, family: string, method: string): LadderRow {
-  const known = (value: number): number | null => (Number.isNaN(value) ? null : value);
   const { error_median, error_max } = result;
   return {
     ...result,
     family,
     method,
-    error_median: known(error_median),
-    error_max: known(error_max),
+    error_median: knownError(error_median),
+    error_max: knownError(error_max),
   };
 }

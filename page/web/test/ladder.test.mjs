@@ -11,6 +11,7 @@ import { parseHTML } from "linkedom";
 import { load } from "./load.mjs";
 
 const { cellOf, scatter } = await load("ladder-cell.ts");
+const { knownError } = await load("ladder-measure.ts");
 
 const program = fileURLToPath(new URL("../ladder_picture.mjs", import.meta.url));
 const row = (family, method, wrong, ns, error = 0) => ({
@@ -308,6 +309,10 @@ function middleOf(mark) {
     .map(Number);
   return [x, y + 5];
 }
+
+test("an error that a browser measures is null where the result files have none", () => {
+  assert.deepEqual([0, 0.5, NaN, Infinity].map(knownError), [0, 0.5, null, null]);
+});
 
 test("the name in the plot of a cell covers no other method", () => {
   let plots = 0;
