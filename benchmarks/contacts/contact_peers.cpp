@@ -1,6 +1,6 @@
-// Compares boxes on a plane in the book, Bullet, ODE, Box2D 3 and Box3D where the right answer
-// is known: at rest, ten on each other, a heavy one on a light one, sliding to rest, a rod that
-// bounces on both ends, a scene that is symmetric.
+// Compares boxes on a plane in the book, Bullet, ODE, Box2D 3, Box3D and Jolt where the right
+// answer is known: at rest, ten on each other, a heavy one on a light one, sliding to rest, a rod
+// that bounces on both ends, a scene that is symmetric.
 // usage:
 //   contact_peers [RUNS [SCENE]]    all scenes or one; times are medians of so many runs
 //   contact_peers --write FILE      the scenes, for mujoco_peer.py
@@ -92,6 +92,9 @@ std::vector<Program> programs() {
 #endif
 #ifdef CONTACT_HAS_BOX3D
   add(peers::box3d_programs());
+#endif
+#ifdef CONTACT_HAS_JOLT
+  add(peers::jolt_programs());
 #endif
   return all;
 }

@@ -60,5 +60,6 @@ std::vector<Program> bullet_programs();
 std::vector<Program> ode_programs();
 std::vector<Program> box2d_v3_programs();
 std::vector<Program> box3d_programs();
+std::vector<Program> jolt_programs();
 
 }  // namespace peers
