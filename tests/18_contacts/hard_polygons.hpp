@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "hard_scale.hpp"
 #include "support/hard_cases.hpp"
 
 namespace hard_polygons {
@@ -49,9 +50,10 @@ S along(const contact::Vector2<S>& n, const contact::Vector2<S>& v) {
 }
 
 /// Positions perpendicular to the direction n, in units of its length: of the parts of B within
-/// 2^-20 of its top and of A within the margin of that.
+/// `room` of its top and of A within the margin of that.
 template <class S>
-std::vector<S> common_part(const Polygon& a, const Polygon& b, const V2& side, double margin) {
+std::vector<S> common_part(const Polygon& a, const Polygon& b, const V2& side, double margin,
+                           double room) {
   const auto n = exactly<S>(side);
   const contact::Vector2<S> t(S(S(0) - n.y()), n.x());
   const S unit(std::sqrt(side.dot(side)));  // a whole number for the directions of the corpus
@@ -60,7 +62,7 @@ std::vector<S> common_part(const Polygon& a, const Polygon& b, const V2& side, d
   std::vector<S> on_b, on_a;
   for (const V2& v : b) {
     const auto p = exactly<S>(v);
-    if (along<S>(n, p) >= top - S(0x1p-20) * unit) on_b.push_back(S(along<S>(t, p) / unit));
+    if (along<S>(n, p) >= top - S(room) * unit) on_b.push_back(S(along<S>(t, p) / unit));
   }
   for (const V2& v : a) {
     const auto p = exactly<S>(v);
@@ -104,6 +106,7 @@ contact::ContactManifold2d<S> clipped(const contact::Polygon<S>& a, const contac
                                       const S& margin, bool only_a, bool whole) {
   const auto of_a = contact::max_edge_separation<S>(a, b),
              of_b = contact::max_edge_separation<S>(b, a);
+  if (of_a.edge < 0 || of_b.edge < 0) return {};  // all vertices coincide
   const bool is_a = only_a || !(of_b.separation > of_a.separation);
   const auto& best = is_a ? of_a : of_b;
   const auto& reference = is_a ? a : b;
@@ -130,7 +133,8 @@ inline void add(hard_cases::Runner& runner) {
   runner.question("points in the plane", [](const Case& c) {
     Json at = Json::array();
     const auto part =
-        common_part<Rational>(polygon(c, "a"), polygon(c, "b"), direction(c), c.number("margin"));
+        common_part<Rational>(polygon(c, "a"), polygon(c, "b"), direction(c), c.number("margin"),
+                              0x1p-20 * hard_scale::unit_of_length(c));
     const bool one = part.size() == 2 &&
                      part[1] - part[0] <= Rational(0x1p-20) * oracle::exact(c.number("size"));
     for (const Rational& x : part) {

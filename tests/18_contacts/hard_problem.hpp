@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "hard_scale.hpp"
 #include "support/hard_cases.hpp"
 
 namespace hard_problem {
@@ -19,6 +20,7 @@ using contact::RigidBody;
 using hard_cases::Case;
 using hard_cases::Json;
 using hard_cases::unhex;
+using hard_scale::unit_of_length;
 using oracle::Rational;
 using oracle::Vector;
 
@@ -85,20 +87,28 @@ inline Json motion_of(const std::vector<RigidBody<Rational>>& bodies) {
   return motion;
 }
 
-/// Every coordinate may be off by 2^-30 of the largest initial one.
+/// The largest coordinate of a velocity, or of an angular velocity times the unit of length.
+inline double largest_velocity(const std::vector<RigidBody<double>>& bodies, double length) {
+  double most = 0;
+  for (const auto& body : bodies) {
+    most = std::max({most, body.velocity.cwiseAbs().maxCoeff(),
+                     body.angular_velocity.cwiseAbs().maxCoeff() * length});
+  }
+  return most;
+}
+/// Every coordinate may be off by 2^-30 of the largest initial one; angular velocities count times
+/// the unit of length.
 template <class S>
 bool right(const Case& c, const std::vector<RigidBody<S>>& got, const Json& answer) {
-  double most = 0;
-  for (const auto& body : problem<double>(c).bodies) {
-    most = std::max(
-        {most, body.velocity.cwiseAbs().maxCoeff(), body.angular_velocity.cwiseAbs().maxCoeff()});
-  }
+  const double length = unit_of_length(c);
+  const double room = std::ldexp(largest_velocity(problem<double>(c).bodies, length), -30);
   std::size_t at = 0;
   for (const auto& body : got) {
-    for (const contact::Vector3<S>& v : {body.velocity, body.angular_velocity}) {
+    for (const bool turns : {false, true}) {
+      const contact::Vector3<S>& v = turns ? body.angular_velocity : body.velocity;
       for (int i = 0; i < 3; ++i) {
-        const double wanted = unhex(answer.at("motion").at(at++));
-        if (!(std::abs(static_cast<double>(v(i)) - wanted) <= std::ldexp(most, -30))) return false;
+        const double off = static_cast<double>(v(i)) - unhex(answer.at("motion").at(at++));
+        if (!(std::abs(off) * (turns ? length : 1) <= room)) return false;
       }
     }
   }
@@ -213,9 +223,16 @@ Problem<S> with_mean_points(Problem<S> p) {
   return p;
 }
 
-/// The book's solver, and its active-set solve if the iterations have not settled.
+/// The book's solver. Its tolerance is a fraction of the fastest contact, because velocities may be
+/// of any size.
 inline std::vector<RigidBody<double>> by_book(const Problem<double>& p, int iterations) {
-  return contact::solve_contacts<double>(p.bodies, p.contacts, {}, {iterations, 1e-15, 1.0}).bodies;
+  double fastest = 0;
+  for (const auto& c : p.contacts) {
+    fastest = std::max({fastest, std::abs(contact::contact_velocity(p.bodies, c)), c.min_velocity});
+  }
+  return contact::solve_contacts<double>(p.bodies, p.contacts, {},
+                                         {iterations, 1e-15 * fastest, 1.0})
+      .bodies;
 }
 
 }  // namespace hard_problem

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "hard_boxes.hpp"
+#include "hard_scale.hpp"
 #include "support/hard_cases.hpp"
 
 namespace hard_regions {
@@ -131,6 +132,7 @@ inline Points<double> simplified(const Points<Rational>& region, double room) {
 struct Body {
   std::variant<Box, Hull, Capsule> shape;
   double radius = 0;
+  double room = 0x1p-20;  ///< vertices that lie deeper by this much belong to the highest face
   std::vector<V> vertices;  ///< of the core, as stored or rounded
   std::vector<oracle::Vector> exact;
 };
@@ -146,8 +148,10 @@ inline Body of_box(const Box& b) {
 }
 /// "a_half" is a box's; "a_points" are the vertices of a hull, or the two ends of a capsule's core.
 inline Body body(const Case& c, const std::string& name) {
-  if (c.has(name + "_half")) return of_box(hard_boxes::box(c, name));
   Body made;
+  if (c.has(name + "_half")) made = of_box(hard_boxes::box(c, name));
+  made.room = 0x1p-20 * hard_scale::unit_of_length(c);
+  if (c.has(name + "_half")) return made;
   if (c.has(name + "_radius")) made.radius = c.number(name + "_radius");
   const std::vector<double> all = c.numbers(name + "_points");
   for (std::size_t i = 0; i + 2 < all.size(); i += 3) {
@@ -197,7 +201,7 @@ contact::Vector3<S> vertex_of(const Body& body, std::size_t i) {
     return body.vertices[i].template cast<S>();
   }
 }
-/// B's vertices within 2^-20 of its highest one, and how high that is.
+/// B's vertices within 2^-20 units of length of its highest one, and how high that is.
 template <class S>
 std::pair<Points<S>, S> top(const Body& b, const Side& s) {
   S highest = s.height(vertex_of<S>(b, 0));
@@ -207,7 +211,7 @@ std::pair<Points<S>, S> top(const Body& b, const Side& s) {
   Points<S> face;
   for (std::size_t i = 0; i < b.vertices.size(); ++i) {
     const auto v = vertex_of<S>(b, i);
-    if (s.height(v) >= highest - S(0x1p-20)) face.push_back(s.flat<S>(v));
+    if (s.height(v) >= highest - S(b.room)) face.push_back(s.flat<S>(v));
   }
   return {face, S(highest + S(b.radius))};
 }
