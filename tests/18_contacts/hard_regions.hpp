@@ -132,7 +132,7 @@ inline Points<double> simplified(const Points<Rational>& region, double room) {
 struct Body {
   std::variant<Box, Hull, Capsule> shape;
   double radius = 0;
-  double room = 0x1p-20;  ///< vertices that lie deeper by this much belong to the highest face
+  double room = 0x1p-20;    ///< vertices that lie deeper by this much belong to the highest face
   std::vector<V> vertices;  ///< of the core, as stored or rounded
   std::vector<oracle::Vector> exact;
 };
