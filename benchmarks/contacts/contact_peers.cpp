@@ -306,8 +306,9 @@ void write(const char* name) {
   file.precision(17);
   const auto add = [&file](const char* scene_name, const Scene& scene, double seconds) {
     for (const peers::Box& box : scene.boxes) {
-      file << scene_name << "\t" << scene.gravity << "\t" << scene.friction << "\t" << scene.step
-           << "\t" << steps_in(seconds, scene) << "\t" << box.mass;
+      file << scene_name << "\t" << scene.gravity << "\t" << scene.friction << "\t"
+           << scene.restitution << "\t" << scene.step << "\t" << steps_in(seconds, scene) << "\t"
+           << box.mass;
       for (const Numbers* list : {&box.size, &box.centre, &box.velocity})
         for (const double x : *list) file << "\t" << x;
       file << "\n";
@@ -318,6 +319,8 @@ void write(const char* name) {
   add("heavy", heavy_on_light(), 10);
   add("slides", sliding(false), 4);
   add("slides obliquely", sliding(true), 4);
+  add("rod, e = 1", falling_rod(1), 0.5);
+  add("rod, e = 1/2", falling_rod(0.5), 0.5);
   add("plank", plank(), 5);
 }
 
