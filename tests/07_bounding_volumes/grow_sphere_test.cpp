@@ -220,7 +220,7 @@ TEST_CASE("a sphere grows until it touches a point outside") {
   check_grown({{-900, 800, 700}, 1000}, {990, -1000, -1000});
 }
 
-TEST_CASE("a point inside changes nothing") {
+TEST_CASE("only a point outside changes the sphere") {
   check_grown({{1, 2, 3}, 9}, {1, 2, 23});
   check_grown({{1, 2, 3}, 9}, {1, 2, 5});
   check_grown({{1, 2, 3}, 9}, {1, 7, 3});

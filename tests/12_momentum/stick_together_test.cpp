@@ -110,7 +110,7 @@ TEST_CASE("momenta add as vectors") {
   check_momentum({});
 }
 
-TEST_CASE("the players move on slowly, in the lighter one's direction") {
+TEST_CASE("two players on a line move on with one velocity") {
   check_velocity(kPlayers);
   check_velocity({{90, {6, 0, 0}}, {80, {7, 0, 0}}});
   check_velocity({{60, {2, 0, 0}}, {60, {-2, 0, 0}}});

@@ -91,7 +91,7 @@ double near_tie(int n, int ulps) {
 
 }  // namespace
 
-TEST_CASE("equal blocks make three collisions") {
+TEST_CASE("mass ratios of one, two and three") {
   check(2);
   check(1);
   check(3);

@@ -1,5 +1,5 @@
 // misconception: mass-of-one
-// caught by: the players move on slowly, in the lighter one's direction
+// caught by: two players on a line move on with one velocity
 // seen: https://www.physicsforums.com/threads/energy-conservation-of-a-car-collision.173914/
 #include "stick_together.hpp"
 

@@ -1,5 +1,5 @@
 // misconception: mean-of-velocities
-// caught by: the players move on slowly, in the lighter one's direction
+// caught by: two players on a line move on with one velocity
 // seen: https://github.com/wreck02/wreck02/blob/44a826edbedc3f0bbdd52c0830820e578bda6da9/src/generators/forces/momentum.ts
 //   a quiz's trap: averaged the speeds without weighting by mass
 #include "stick_together.hpp"

@@ -1,5 +1,5 @@
 // misconception: wall-not-counted
-// caught by: equal blocks make three collisions
+// caught by: mass ratios of one, two and three
 // seen: https://t.xtos.us/v/yt/HEfHFsfGXjs says that another film counts the blocks alone
 #include "count_the_clicks.hpp"
 

@@ -1,5 +1,5 @@
 // misconception: digits-of-pi
-// caught by: equal blocks make three collisions
+// caught by: mass ratios of one, two and three
 // seen: https://github.com/DinantKistemaker/Bouncing-Pi/blob/6d85aaec/bounce_with_pi.m
 //   floor(pi*sqrt(m)), there for large ratios
 #include "count_the_clicks.hpp"

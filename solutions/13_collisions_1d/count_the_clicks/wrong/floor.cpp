@@ -1,5 +1,5 @@
 // misconception: floor-for-ceiling
-// caught by: equal blocks make three collisions
+// caught by: mass ratios of one, two and three
 // seen: https://tizarne.com/youtube/video/brU5yLm9DZM
 //   3Blue1Brown's own correction: a ceiling minus 1 where the film had a floor
 #include "count_the_clicks.hpp"
