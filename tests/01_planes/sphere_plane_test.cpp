@@ -35,7 +35,7 @@ void check(const Sphere& sphere, const Plane& plane) {
       .equals(exact_meets(sphere, plane.normal, plane.offset));
 }
 
-void check_loose(const Sphere& sphere, const RawPlane& plane) {
+void check_raw(const Sphere& sphere, const RawPlane& plane) {
   const auto value = [&] { return plane.normal.dot(sphere.centre) - plane.offset; };
   const auto square = [&] { return plane.normal.squaredNorm(); };
   const double r = sphere.radius;
@@ -76,20 +76,20 @@ TEST_CASE("the plane has two sides") {
   check({{5, 1, 4}, 1.5}, kLevel);
 }
 
-TEST_CASE("the length of a loose plane's normal is taken into account") {
-  check_loose({{2, 3, 6}, 4}, kSeven);  // 49 − 14 = 35, and 35 / 7 = 5 > 4
-  check_loose({{2, 3, 6}, 6}, kSeven);
-  check_loose({{4, 6, 12}, 11}, kSeven);
-  check_loose({{4, 6, 12}, 13}, kSeven);
-  check_loose({{0.25, 0, 0}, 0.25}, {{0.5, 0, 0}, 0.5});
+TEST_CASE("the length of a raw plane's normal is taken into account") {
+  check_raw({{2, 3, 6}, 4}, kSeven);  // 49 − 14 = 35, and 35 / 7 = 5 > 4
+  check_raw({{2, 3, 6}, 6}, kSeven);
+  check_raw({{4, 6, 12}, 11}, kSeven);
+  check_raw({{4, 6, 12}, 13}, kSeven);
+  check_raw({{0.25, 0, 0}, 0.25}, {{0.5, 0, 0}, 0.5});
 }
 
 TEST_CASE("touching is decided exactly for integers, whatever the normal") {
-  check_loose({{2, 3, 6}, 4.5}, kSeven);
-  check_loose({{2, 3, 6}, 6}, kSeven);  // overlapping: a failure here is not due to touching
-  check_loose({{2, 3, 6}, 5}, kSeven);  // 49 − 14 = 35 = 5 · 7
-  check_loose({{0, 0, 0}, 2}, kSeven);
-  check_loose({{0, 0, 0}, 1.75}, kSeven);
+  check_raw({{2, 3, 6}, 4.5}, kSeven);
+  check_raw({{2, 3, 6}, 6}, kSeven);  // overlapping: a failure here is not due to touching
+  check_raw({{2, 3, 6}, 5}, kSeven);  // 49 − 14 = 35 = 5 · 7
+  check_raw({{0, 0, 0}, 2}, kSeven);
+  check_raw({{0, 0, 0}, 1.75}, kSeven);
   generators::Random random(seed(0));
   for (int asked = 0; asked < 300; ++asked) {
     // Pythagorean quadruples, scaled: integer normals of integer length.
@@ -102,6 +102,6 @@ TEST_CASE("touching is decided exactly for integers, whatever the normal") {
     const double side = random.chance(0.5) ? -1 : 1;
     const double touching = normal.dot(centre) + side * radius * length;
     const double away = random.integer(0, 1);
-    check_loose({centre, radius}, {normal, touching + side * away});
+    check_raw({centre, radius}, {normal, touching + side * away});
   }
 }

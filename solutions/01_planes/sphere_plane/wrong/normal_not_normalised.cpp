@@ -1,5 +1,5 @@
 // misconception: normal-not-normalised
-// caught by: the length of a loose plane's normal is taken into account
+// caught by: the length of a raw plane's normal is taken into account
 // seen: https://github.com/ggambetta/computer-graphics-from-scratch/pull/10
 //   a normal is used as one of length 1 and is not
 #include "sphere_plane.hpp"

@@ -1,5 +1,5 @@
 // misconception: square-on-one-side
-// caught by: the length of a loose plane's normal is taken into account
+// caught by: the length of a raw plane's normal is taken into account
 // seen: https://github.com/ggambetta/computer-graphics-from-scratch/issues/9
 //   a distance is compared with the square of a radius
 #include "sphere_plane.hpp"
