@@ -366,14 +366,14 @@ inline double contact_time_cutoff(double tolerance, double gravity) {
 
 /// Event-driven only where the number of events is bounded.
 ///
-/// Finitely many elastic balls have finitely many hits (Vaserstein 1979; Burago, Ferleger and
-/// Kononenko 1998 with a bound by number and masses alone), and with walls and gravity finitely
-/// many in a finite time (Galperin 1981), as long as nothing rests. The bounces of a ball on one
-/// half-space are counted. A pair that flies freely meets once. A ball that comes to rest on one
-/// half-space is followed until its bounces are shorter than a cutoff; their height is the error.
-/// No other error is accepted with it: the other effects that may be left out within the tolerance
-/// are those of bodies that touch nothing or go step by step. Everything else goes step by step,
-/// which is always safe.
+/// Finitely many elastic balls have finitely many hits (Vaserstein 1979, also Galperin 1981 and
+/// Illner 1989; Burago, Ferleger and Kononenko 1998 with a bound by number and masses alone), and
+/// with walls and gravity finitely many in a finite time (Galperin 1981), as long as nothing rests.
+/// The bounces of a ball on one half-space are counted. A pair that flies freely meets once. A ball
+/// that comes to rest on one half-space is followed until its bounces are shorter than a cutoff;
+/// their height is the error. No other error is accepted with it: the other effects that may be
+/// left out within the tolerance are those of bodies that touch nothing or go step by step.
+/// Everything else goes step by step, which is always safe.
 Decision plan_event_driven(const PlanInput& q);
 
 namespace detail {
