@@ -56,6 +56,34 @@ TEST_CASE("a stack of ten boxes does not creep") {
   CHECK(std::abs(carried - 10 * 9.80665 / 60) < 1e-8);
 }
 
+// Positions and points have few digits, so that they are symmetric too.
+TEST_CASE("with Jacobi's iterations an impact on two sides is symmetric to the last bit") {
+  for (const double restitution : {0.0, 0.25}) {
+    std::vector<contact::ShapedBody<double>> bodies{
+        contact::ground<double>({V(0, 0, 1), 0}),
+        contact::solid_box<double>(1, V(0.5, 0.5, 1), V(-1, 0, 0.5)),
+        contact::solid_box<double>(1, V(0.5, 0.5, 1), V(1, 0, 0.5)),
+        contact::solid_box<double>(2, V(3, 0.5, 0.25), V(0, 0, 1.125))};
+    bodies[3].motion.velocity = V(0, 0, -1.3);
+    for (auto& body : bodies) {
+      body.friction = 0.5;
+      body.restitution = restitution;
+    }
+    contact::StepSettings<double> settings;
+    settings.solver.jacobi = true;
+    contact::StepMemory<double> memory;
+    CHECK(contact::step_contacts(bodies, memory, settings).settled);
+    const auto& left = bodies[1].motion;
+    const auto& right = bodies[2].motion;
+    CHECK(left.position.x() == -right.position.x());
+    CHECK(left.position.z() == right.position.z());
+    CHECK(left.velocity.x() == -right.velocity.x());
+    CHECK(left.angular_velocity.y() == -right.angular_velocity.y());
+    CHECK(bodies[3].motion.velocity.x() == 0);
+    CHECK(bodies[3].motion.angular_velocity == V(0, 0, 0));
+  }
+}
+
 TEST_CASE("a box slides to rest after v²/(2 μ g), whatever the step") {
   for (const double step : {1.0 / 60, 1.0 / 240, 1.0 / 7}) {
     for (const V& velocity : {V(3, 0, 0), V(1.5, -2, 0), V(0.01, 0, 0)}) {
@@ -101,7 +129,7 @@ TEST_CASE("a box on a slope rests or slides, depending on the angle") {
   }
 }
 
-TEST_CASE("friction that only makes a ball roll does not change its way") {
+TEST_CASE("friction that only makes a ball roll does not change the distance") {
   const V up(-0.6, 0, 0.8);
   std::vector<V> ends;
   for (const double friction : {1.0, 10.0}) {

@@ -28,7 +28,8 @@ namespace contact {
 /// motion.
 inline constexpr double max_leverage = 0x1p10;
 
-/// Impulses whose rounding exceeds this fraction of the fastest approach are rejected.
+/// Impulses whose rounding exceeds this fraction of the fastest approach have not settled: rounding
+/// decides the motion.
 inline constexpr double max_rounding = 0x1p-10;
 
 namespace detail {
@@ -165,8 +166,7 @@ bool projected_newton(const ImpulseRows<S>& problem, const std::vector<bool>& fr
   const S rounding = S(0x1p8) * std::numeric_limits<S>::epsilon();
   ActiveSetGuess how = ActiveSetGuess::bold;
   for (int guess = 0; guess < max_guesses; ++guess) {
-    const Numbers<S> opening = problem.matrix * y + problem.constant;
-    const Numbers<S> size = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
+    const auto [opening, size] = velocities_and_sizes<S>(problem, y);
     std::vector<bool> chosen = free;
     bool settled = true;
     Eigen::Index fastest = -1;  // of the normals that close and do not push
@@ -305,6 +305,7 @@ std::optional<SolvedContacts<S>> solve_active_set_of(
   }
   auto solved = solved_by<S>(
       bodies, prepared, *found, [&] { return *stopped; }, tolerance);
+  if (!(solved.report.rounding <= S(max_rounding) * fastest)) solved.report.settled = false;
   for (const PreparedContact<S>& p : soft) {
     solved.report.last_change =
         std::max(solved.report.last_change,

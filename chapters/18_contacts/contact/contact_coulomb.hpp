@@ -64,6 +64,27 @@ Eigen::SparseMatrix<S> firm_matrix(const ImpulseRows<S>& problem) {
   return firm;
 }
 
+/// The scaled velocities M y + c, and the sums of the magnitudes of their terms.
+template <std::floating_point S>
+struct VelocitiesAndSizes {
+  Numbers<S> velocities, sizes;
+};
+
+template <std::floating_point S>
+VelocitiesAndSizes<S> velocities_and_sizes(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+  VelocitiesAndSizes<S> sums{Numbers<S>::Zero(y.size()), Numbers<S>::Zero(y.size())};
+  for (Eigen::Index k = 0; k < problem.matrix.outerSize(); ++k) {
+    for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
+      const S term = it.value() * y(k);
+      sums.velocities(it.row()) += term;
+      sums.sizes(it.row()) += std::abs(term);
+    }
+  }
+  sums.velocities += problem.constant;
+  sums.sizes += problem.constant.cwiseAbs();
+  return sums;
+}
+
 /// Relative tolerance of velocities and impulses, as a fraction of the sum of absolute terms.
 template <std::floating_point S>
 inline constexpr S coulomb_rounding = S(0x1p14) * std::numeric_limits<S>::epsilon();
@@ -75,8 +96,7 @@ inline constexpr S coulomb_rounding = S(0x1p14) * std::numeric_limits<S>::epsilo
 /// cone, opposite to the slip.
 template <std::floating_point S>
 S complementarity_residual(const ImpulseRows<S>& problem, const Numbers<S>& y) {
-  const Numbers<S> velocity = problem.matrix * y + problem.constant;
-  const Numbers<S> sizes = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
+  const auto [velocity, sizes] = velocities_and_sizes<S>(problem, y);
   const S pushes = coulomb_rounding<S> *
                    std::max(y.cwiseAbs().maxCoeff(), problem.constant.cwiseAbs().maxCoeff());
   S most(0);

@@ -234,6 +234,7 @@ inline constexpr int iterations_before_exact = 8;
 /// The impulses of a step: a few iterations from those of the previous step, which suffice while
 /// bodies rest; if they have not settled, an active-set solve; and if that does not settle either,
 /// the other iterations, with over-relaxation. Of the results, that with the smallest residual.
+/// With Jacobi's iterations there is no active-set solve, so that a symmetric scene stays symmetric.
 template <std::floating_point S>
 SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
                              const std::vector<BodyContact<S>>& contacts,
@@ -253,10 +254,9 @@ SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
     solved = iterated();
     if (last || solved->report.settled) return *solved;
   }
-  if (settings.friction_bound == FrictionBound::cone) {
-    auto exact = solve_active_set_of(
-        bodies, settings.jacobi ? prepared_contacts(bodies, contacts) : prepared,
-        impulses_of(prepared, impulses), FrictionLaw::coulomb, settings.tolerance);
+  if (settings.friction_bound == FrictionBound::cone && !settings.jacobi) {
+    auto exact = solve_active_set_of(bodies, prepared, impulses_of(prepared, impulses),
+                                     FrictionLaw::coulomb, settings.tolerance);
     if (exact) exact->report.iterations = report.iterations;
     if (exact && exact->report.settled) return *exact;
     if (!solved) solved = iterated();
