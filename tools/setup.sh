@@ -43,7 +43,7 @@ benchmarks|libqhull-dev|header libqhull_r/qhull_ra.h|qhull|Qhull: convex hulls
 benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls, bounding volumes, broad phase, pairs of convex bodies, times of impact and scenes
 benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes, broad phase and pairs of convex bodies
 benchmarks|libccd-dev|header ccd/ccd.h|libccd|libccd: pairs of convex bodies
-benchmarks|cargo|command cargo|rust|Cargo: unpacks the sources of Box3D and Box2D 3, for broad phase, pairs of convex bodies and times of impact
+benchmarks|cargo|command cargo|rust|Cargo: unpacks the sources of Box3D, Box2D 3 and Jolt, for broad phase, pairs of convex bodies, times of impact and contacts
 benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane and times of impact
 benchmarks|libgeos++-dev|header geos/algorithm/PointLocation.h|geos|GEOS: points in polygons
 benchmarks|libembree-dev|header embree3/rtcore.h embree4/rtcore.h|embree|Embree 3: rays
