@@ -1,6 +1,7 @@
 // What the figures of the chapter draw: the boxes that fall are in mirror symmetry and obey
 // complementarity, the iterations are those of the solver, a stack that is carried does not sink,
-// a box slides as far as the formula says, and friction is the nearest point of its disc.
+// a box slides as far as the formula says, rows of balls keep momentum, and friction is the nearest
+// point of its disc.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "figures/blocks.hpp"
 #include "support/generators.hpp"
 
 #define CONTACT_FIGURE_NO_MAIN
@@ -22,8 +24,14 @@ namespace two_feet {
 namespace iterations {
 #include "figures/iterations.cpp"
 }
-namespace stack_and_slide {
-#include "figures/stack_and_slide.cpp"
+namespace stack {
+#include "figures/stack.cpp"
+}
+namespace sliding_box {
+#include "figures/sliding_box.cpp"
+}
+namespace cradle {
+#include "figures/cradle.cpp"
 }
 namespace friction_disc {
 #include "figures/friction_disc.cpp"
@@ -57,8 +65,17 @@ iterations::Input contacts(Random& random) {
   return in;
 }
 
-stack_and_slide::Input stack(double boxes, double made, double warm) {
-  return {0, boxes, made, warm, 1, 2, 0.5, 60, 3, 1, 1, 3};
+stack::Input boxes(double count, double made, double warm) { return {count, made, warm, 1, 3}; }
+
+sliding_box::Input sliding(Random& random) {
+  sliding_box::Input in{};
+  in.speed = random.uniform(0.5, 3);
+  in.direction = random.uniform(0, 90);
+  in.friction = random.uniform(0.3, 1);
+  in.rate = random.integer(30, 240);
+  in.mean = random.integer(0, 1);
+  in.time = random.uniform(0, 0.5) * in.speed / (in.friction * blocks::gravity);
+  return in;
 }
 
 }  // namespace
@@ -205,16 +222,21 @@ TEST_CASE("the lines of the figure pass through the solution where both contacts
 }
 
 TEST_CASE("the figure's stack sinks with few iterations from 0, and less with a warm start") {
-  for (const double boxes : {4.0, 10.0}) {
-    const auto cold = stack_and_slide::compute(stack(boxes, 4, 0));
-    const auto warm = stack_and_slide::compute(stack(boxes, 4, 1));
-    const auto more = stack_and_slide::compute(stack(boxes, 32, 1));
+  for (const double count : {4.0, 10.0}) {
+    const auto cold = stack::compute(boxes(count, 4, 0));
+    const auto warm = stack::compute(boxes(count, 4, 1));
+    const auto more = stack::compute(boxes(count, 32, 1));
     REQUIRE(cold.problem == 0);
-    INFO(boxes << " boxes");
-    CHECK(cold.sinks == 1);
+    INFO(count << " boxes");
+    CHECK(cold.sunk_now > stack::goal);
     CHECK(warm.sunk_now < cold.sunk_now / 4);
     CHECK(more.sunk_now < warm.sunk_now);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(boxes); ++i)
+    // Both curves are drawn, whichever of the two stacks is.
+    CHECK(cold.sunk_now == cold.sunk_from_zero.back());
+    CHECK(warm.sunk_now == warm.sunk_warm.back());
+    CHECK(cold.sunk_from_zero == warm.sunk_from_zero);
+    CHECK(cold.sunk_warm == warm.sunk_warm);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
       CHECK(std::abs(more.load[i] - more.weight[i]) <= 0.01 * more.weight[i]);
   }
 }
@@ -222,37 +244,66 @@ TEST_CASE("the figure's stack sinks with few iterations from 0, and less with a 
 TEST_CASE("the figure's box slides as far as v v / (2 mu g), up to one step") {
   Random random(8);
   for (int i = 0; i < generators::tried(15); ++i) {
-    stack_and_slide::Input in = stack(1, 1, 0);
-    in.mode = 1;
-    in.speed = random.uniform(0.5, 3);
-    in.friction = random.uniform(0.1, 1);
-    in.rate = random.integer(30, 240);
-    in.time = random.uniform(0, 0.9) * in.speed / (in.friction * stack_and_slide::gravity);
-    const auto out = stack_and_slide::compute(in);
+    const sliding_box::Input in = sliding(random);
+    const auto out = sliding_box::compute(in);
     REQUIRE(out.problem == 0);
     INFO("box " << i);
-    const double loss = in.friction * stack_and_slide::gravity / in.rate;  // m/s in a step
-    CHECK(std::abs(out.distance - out.formula) <= in.speed / in.rate);
-    CHECK(std::abs(out.by_mean - out.formula) <= loss / in.rate);
+    const double loss = in.friction * blocks::gravity / in.rate;  // m/s in a step
+    CHECK(std::abs(out.cone_distance - out.formula) <= (in.mean == 1 ? loss : in.speed) / in.rate);
+    const contact::Vector2<double> line = out.ahead * out.cone_distance;
+    CHECK((out.cone_stop - line).norm() <= 1e-12);
     // It slides: the force is on the edge of the cone.
-    if (out.velocity > 0)
-      CHECK(std::abs(out.friction_impulse + in.friction * out.normal_impulse) <= 1e-12);
+    CHECK((out.cone_friction + out.ahead * in.friction).norm() <= 1e-12);
+  }
+}
+
+TEST_CASE("the figure's box with the pyramid loses each component of its velocity by itself") {
+  Random random(11);
+  for (int i = 0; i < generators::tried(15); ++i) {
+    sliding_box::Input in = sliding(random);
+    in.direction = random.uniform(5, 85);
+    in.time = 0.1 * in.speed / (in.friction * blocks::gravity) *
+              std::min(in.direction, 90 - in.direction) / 90;
+    const auto out = sliding_box::compute(in);
+    REQUIRE(out.problem == 0);
+    INFO("box " << i);
+    const contact::Vector2<double> wanted = out.ahead.cwiseProduct(out.ahead) * out.formula;
+    CHECK((out.pyramid_stop - wanted).norm() <= 1.5 * in.speed / in.rate);
+    CHECK(out.pyramid_distance <= out.cone_distance + 1e-12);
+    CHECK(std::abs(out.pyramid_friction.x() + in.friction) <= 1e-12);
+    CHECK(std::abs(out.pyramid_friction.y() + in.friction) <= 1e-12);
+  }
+  // Along a tangent the two are the same, and on the diagonal the pyramid stops at 1/√2.
+  const auto along = sliding_box::compute({3, 0, 0.5, 60, 1, 0.2});
+  CHECK(along.pyramid_stop == along.cone_stop);
+  const auto diagonal = sliding_box::compute({3, 45, 0.5, 60, 1, 0.2});
+  CHECK(std::abs(diagonal.pyramid_distance * std::sqrt(2.0) - diagonal.formula) <= 1e-3);
+  CHECK(std::abs(diagonal.pyramid_aside) <= 1e-12);
+}
+
+TEST_CASE("the curves that the figure gives for where boxes stop are where they stop") {
+  for (const std::size_t i : {0U, 7U, 15U, 30U}) {
+    const double degrees = 90.0 * double(i) / double(sliding_box::directions - 1);
+    const auto out = sliding_box::compute({2, degrees, 0.4, 240, 1, 0.2});
+    INFO(degrees);
+    CHECK((out.cone_stops[i] - out.cone_stop).norm() <= 1e-4);
+    CHECK((out.pyramid_stops[i] - out.pyramid_stop).norm() <= 1e-4);
   }
 }
 
 TEST_CASE("the figure's rows of balls keep momentum, and energy without loss") {
   Random random(9);
   for (int i = 0; i < generators::tried(100); ++i) {
-    stack_and_slide::Input in = stack(1, 1, 0);
-    in.mode = 2;
+    cradle::Input in{};
     in.balls = random.integer(2, 7);
     in.moving = random.integer(1, int(in.balls) - 1);
     in.restitution = random.chance(0.5) ? 1 : random.uniform(0, 1);
-    const auto out = stack_and_slide::compute(in);
+    in.time = 1.8;
+    const auto out = cradle::compute(in);
     double one = 0, once = 0;
-    for (std::size_t k = 0; k < stack_and_slide::most_balls; ++k) {
-      one += out.one_by_one[k];
-      once += out.at_once[k];
+    for (std::size_t k = 0; k < cradle::most_balls; ++k) {
+      one += out.one_after[k];
+      once += out.once_after[k];
     }
     INFO("row " << i);
     CHECK(std::abs(one - out.moving) <= 1e-12);
@@ -262,19 +313,21 @@ TEST_CASE("the figure's rows of balls keep momentum, and energy without loss") {
     if (in.restitution == 1) {
       CHECK(out.one_energy >= 1 - 1e-12);
       CHECK(out.once_energy >= 1 - 1e-12);
+      // As in Newton's cradle.
+      CHECK(out.one_leave == out.moving);
     }
   }
 }
 
 TEST_CASE("the figure's one ball against two at rest: the last leaves alone, or all move") {
-  stack_and_slide::Input in = stack(1, 1, 0);
-  in.mode = 2;
-  const auto out = stack_and_slide::compute(in);
+  const auto out = cradle::compute({3, 1, 1, 1.5});
   const std::array<double, 3> one{0, 0, 1}, once{-1.0 / 3, 2.0 / 3, 2.0 / 3};
   for (std::size_t k = 0; k < 3; ++k) {
-    CHECK(std::abs(out.one_by_one[k] - one[k]) <= 1e-15);
-    CHECK(std::abs(out.at_once[k] - once[k]) <= 1e-15);
+    CHECK(std::abs(out.one_after[k] - one[k]) <= 1e-15);
+    CHECK(std::abs(out.once_after[k] - once[k]) <= 1e-15);
   }
+  CHECK(out.one_leave == 1);
+  CHECK(out.once_leave == 3);
   CHECK(out.differ == 1);
 }
 
@@ -314,6 +367,6 @@ TEST_CASE("the goals of the questions are missed where the figures begin, and ca
   CHECK(two_feet::compute({1, 0, 0, 0, 0, 0.12}).closes == 0);
   CHECK(iterations::compute({-1.2, 0.9, -2.5, 0.4, {0, 0}, 1, 0.5, 3}).slow == 0);
   CHECK(iterations::compute({-0.1, 0.05, -2.5, 0.4, {0, 0}, 1, 0.5, 3}).slow == 1);
-  CHECK(stack_and_slide::compute(stack(8, 4, 0)).warmed == 0);
-  CHECK(stack_and_slide::compute(stack(8, 10, 1)).warmed == 1);
+  CHECK(stack::compute(boxes(8, 4, 0)).warmed == 0);
+  CHECK(stack::compute(boxes(8, 10, 1)).warmed == 1);
 }

@@ -114,9 +114,8 @@ inline ladder::Example shown(const Input& input, const Answer& got, bool warm, i
     example.note = "The figure has at most 10 boxes and 32 iterations of Gauss-Seidel.";
     return example;
   }
-  example.figure = "stack_and_slide";
-  example.fields = {{"mode", {0}},
-                    {"boxes", {boxes}},
+  example.figure = "stack";
+  example.fields = {{"boxes", {boxes}},
                     {"iterations", {double(iterations)}},
                     {"warm", {warm ? 1.0 : 0.0}},
                     {"ratio", {ratio}},

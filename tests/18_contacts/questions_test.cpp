@@ -18,6 +18,8 @@
 
 #define CONTACT_FIGURE_NO_MAIN
 #include <contact/figure.hpp>
+
+#include "figures/blocks.hpp"
 namespace questions_test {
 
 namespace two_feet {
@@ -26,8 +28,8 @@ namespace two_feet {
 namespace iterations {
 #include "figures/iterations.cpp"
 }
-namespace stack_and_slide {
-#include "figures/stack_and_slide.cpp"
+namespace stack {
+#include "figures/stack.cpp"
 }
 
 namespace {
@@ -151,7 +153,8 @@ KEY("iterations-for-a-micrometre") {
     settings.iterations = count;
     settings.tolerance = 0;
     const auto solved = contact::solve_contacts<double>(falling_box(), corners(), {}, settings);
-    if (-contact::contact_velocity<double>(solved.bodies, corners()[0]) <= 1e-6) return double(count);
+    if (-contact::contact_velocity<double>(solved.bodies, corners()[0]) <= 1e-6)
+      return double(count);
   }
 }
 
@@ -181,10 +184,10 @@ KEY("sliding-distance") {
 }
 
 KEY("find-a-warm-stack") {
-  stack_and_slide::Input state{0, 8, 10, 1, 1, 1, 0.5, 60, 5, 1, 1, 3};
-  const double winning = stack_and_slide::compute(state).warmed;
+  stack::Input state{8, 10, 1, 1, 3};
+  const double winning = stack::compute(state).warmed;
   state.warm = 0;
-  return questions::Construct{winning, stack_and_slide::compute(state).warmed};
+  return questions::Construct{winning, stack::compute(state).warmed};
 }
 
 }  // namespace questions_test
