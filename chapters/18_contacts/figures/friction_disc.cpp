@@ -42,7 +42,10 @@ Point clamped(const Point& p, double radius) {
 }
 // [/clamp]
 
-double clamp_component(double x, double limit) { return std::fmin(std::fmax(x, -limit), limit); }
+// For a limit of 0 its sign is that of the comparison, in each math library.
+double clamp_component(double x, double limit) {
+  return x < -limit ? -limit : x > limit ? limit : x;
+}
 
 }  // namespace
 
