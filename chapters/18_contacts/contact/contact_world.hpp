@@ -234,7 +234,7 @@ inline constexpr int iterations_before_exact = 8;
 /// The impulses of a step: a few iterations from those of the previous step, which suffice while
 /// bodies rest; if they have not settled, an active-set solve; and if that does not settle either,
 /// the other iterations, with over-relaxation. Of the results, that with the smallest residual.
-/// With Jacobi's iterations there is no active-set solve, so that a symmetric scene stays symmetric.
+/// With Jacobi's iterations there is no active-set solve: a symmetric scene stays symmetric.
 template <std::floating_point S>
 SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
                              const std::vector<BodyContact<S>>& contacts,
