@@ -46,6 +46,24 @@ describe("the forms of an exercise", { skip }, () => {
   const codes = (/** @type {string} */ text) =>
     text.split("\n").filter((line) => !/^\s*(\/\/.*)?$/.test(line));
 
+  test("in the listing to write in, each line is beside its number", async () => {
+    const listing = exercise.element.locator(".code .still");
+    await listing.waitFor();
+    const size = page.viewportSize();
+    await page.setViewportSize({ width: 360, height: 900 });
+    // The last number is that of the empty line after the text; lines that wrap make the text higher.
+    const heights = await listing.evaluate((element) =>
+      [...element.children].map((part) => {
+        const range = document.createRange();
+        range.selectNodeContents(part);
+        return range.getBoundingClientRect().height;
+      }),
+    );
+    if (size) await page.setViewportSize(size);
+    const [numbers = 0, lines = 0] = heights;
+    assert.ok(0 < lines && lines <= numbers, `${lines} px of text, ${numbers} px of numbers`);
+  });
+
   test("the arrow keys go from form to form", async () => {
     await tab("Write").focus();
     await page.keyboard.press("ArrowLeft");
