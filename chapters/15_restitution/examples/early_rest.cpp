@@ -5,12 +5,12 @@
 int main() {
   const auto ball = contact::bouncing_ball(1.0, 0.0, 9.81, 0.8);
   const double end = contact::rest_time(ball);
-  std::printf("epsilon   rest speed   impacts  rests       early by\n");
+  std::printf("epsilon    rest speed   impacts      rests    early by\n");
   for (const double height : {0.01, 0.001, 1e-4, 1e-6, 1e-9}) {
     const double slow = contact::rest_speed(height, ball.gravity);
     const auto rest = contact::follow_bounces(ball, end, slow);
     const double at = contact::impact_time(ball, static_cast<long long>(rest.bounces));
-    std::printf("%-8g  %.3g m/s  %5g     %.4f s    %.2g s\n", height, slow, rest.bounces, at,
+    std::printf("%-7g  %8.3g m/s  %8g  %.4f s  %8.2g s\n", height, slow, rest.bounces, at,
                 end - at);
   }
   const auto endless = contact::follow_bounces(ball, 2 * end, 0.0);

@@ -12,10 +12,9 @@ int main() {
   std::printf("exact: third bounce %.4f m, %g impacts in 3 s\n",
               contact::bounce_at(ball, third).height, contact::bounces_by(ball, 3.0));
   std::printf(
-      "steps a second   flip below      on the floor    lecture's loop  step's end      at the "
-      "impact\n");
+      "steps/s  flip below     on the floor  lecture's loop  step's end     at the impact\n");
   for (const int rate : {30, 60, 240, 960}) {
-    std::printf("%-14d", rate);
+    std::printf("%-7d", rate);
     for (const StepRule rule : {StepRule::flip_below, StepRule::clamp, StepRule::new_velocity,
                                 StepRule::end_velocity, StepRule::impact_velocity}) {
       contact::BounceState<double> state{1, 0, 0, false};
@@ -24,7 +23,7 @@ int main() {
         state = contact::bounce_step(state, ball, 1.0 / rate, rule);
         if (state.bounces == 3) highest = std::max(highest, state.height);
       }
-      std::printf("  %.4f m, %4g", highest, state.bounces);
+      std::printf("  %.4f m, %3g", highest, state.bounces);
     }
     std::printf("\n");
   }
