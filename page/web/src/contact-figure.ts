@@ -288,7 +288,9 @@ export class ContactFigure extends HTMLElement {
       html(
         "p",
         { class: "not-live", role: "status" },
-        "The live figure could not be loaded, so this is a picture of how it starts.",
+        this.querySelector("svg, img, canvas")
+          ? "The live figure could not be loaded, so this is a picture of how it starts."
+          : "The live figure could not be loaded.",
       ),
     );
   }
