@@ -198,14 +198,16 @@ function legend(result: LadderResult, own: boolean): string {
     return `<p><span class="name">${name}:</span> ${steps.join(" ")}</p>`;
   });
   const byDesign = result.methods.some(({ exact }) => exact);
-  const better = decides(result)
-    ? `more often right${byDesign ? " (a method marked ◆ counts as more often right than one without)" : ""}`
-    : "more accurate on the worst input";
+  const better = decides(result) ? "more often right" : "more accurate on the worst input";
   const signs = [
     result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
-    byDesign ? "◆ never wrong by design" : "",
+    byDesign
+      ? `◆ never wrong by design${decides(result) ? ", so it counts as more often right than a method without ◆" : ""}`
+      : "",
     `<strong>bold</strong>: no other method is both faster and ${better}`,
-    "time of one answer, on a logarithmic axis: the bar ends at the geometric mean over the families of inputs (the columns), its line goes from quartile to quartile, each dot below is a family",
+    "bar: time of one answer on a logarithmic axis, as the geometric mean over the families of inputs (the columns)",
+    "line on the bar: from the lower to the upper quartile",
+    "dot below the bar: the time of one family",
     own ? "dashed: this browser, in WebAssembly" : "",
   ];
   return `<div class="legend">${colours.join("")}<p>${signs.filter(Boolean).join(" · ")}.</p></div>`;
