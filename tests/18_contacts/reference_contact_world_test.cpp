@@ -6,6 +6,7 @@
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "reference.hpp"
@@ -50,10 +51,54 @@ TEST_CASE("a stack of ten boxes does not creep") {
   CHECK(lowest == 0);
   // The floor supports all of them: ten kilograms for a sixtieth of a second.
   double carried = 0;
-  for (std::size_t i = 0; i < memory.contacts.size(); ++i) {
-    if (memory.contacts[i].a == 0) carried += memory.impulses[i].normal;
+  for (std::size_t i = 0; i < memory.found.contacts.size(); ++i) {
+    if (memory.found.contacts[i].a == 0) carried += memory.impulses[i].normal;
   }
   CHECK(std::abs(carried - 10 * 9.80665 / 60) < 1e-8);
+}
+
+TEST_CASE("a box that slides farther than the margin in a step starts with its own impulses") {
+  std::vector<contact::ShapedBody<double>> bodies{
+      contact::ground<double>({V(0, 0, 1), 0}),
+      contact::solid_box<double>(1, V(1, 0.5, 0.25), V(0, 0, 0.125))};
+  bodies[1].motion.velocity = V(6, 0, 0);
+  for (auto& body : bodies) body.friction = 0.5;
+  const contact::StepSettings<double> settings;
+  contact::StepMemory<double> memory;
+  contact::step_contacts(bodies, memory, settings);
+  REQUIRE(memory.impulses.size() == 4);
+  const auto now = contact::find_contacts(bodies, settings);
+  REQUIRE((now.contacts[0].point - memory.found.contacts[0].point).norm() > 2 * settings.margin);
+  const auto start = contact::detail::remembered(now, memory, settings.margin);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(now.features[i] == memory.found.features[i]);
+    CHECK(start[i].normal == memory.impulses[i].normal);
+    CHECK(start[i].normal > 0);
+    CHECK(start[i].tangential == memory.impulses[i].tangential);
+  }
+}
+
+TEST_CASE("impulses of a step belong to the pair of bodies, not to the position") {
+  const V up(0, 0, 1);
+  const auto at = [&](int a, int b, double x) {
+    return contact::BodyContact<double>{a, b, V(x, 0, 0), up, 0, 0};
+  };
+  int feature = 0;  // all different, so that positions decide
+  const auto found = [&](std::vector<contact::BodyContact<double>> contacts) {
+    contact::FoundContacts<double> made{std::move(contacts), {}};
+    for (std::size_t i = 0; i < made.contacts.size(); ++i, ++feature)
+      made.features.push_back({contact::edge_feature(feature, 100), contact::edge_feature(0, 1)});
+    return made;
+  };
+  const contact::StepMemory<double> memory{found({at(0, 1, 0), at(0, 2, 1), at(0, 2, 1.01)}),
+                                           {{1, V(0, 0, 0)}, {2, V(0, 0, 0)}, {3, V(0, 0, 0)}}};
+  // A pair that is new, one that is gone, and one of which a point is gone.
+  const auto start =
+      contact::detail::remembered(found({at(0, 2, 1.009), at(0, 3, 0), at(1, 2, 1)}), memory, 0.02);
+  REQUIRE(start.size() == 3);
+  CHECK(start[0].normal == 3);
+  CHECK(start[1].normal == 0);
+  CHECK(start[2].normal == 0);
 }
 
 // Positions and points have few digits, so that they are symmetric too.

@@ -19,6 +19,8 @@
 #include <contact/frame.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
+#include <contact/manifold_ids.hpp>
+#include <contact/manifold_point.hpp>
 #include <contact/pose.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
@@ -101,10 +103,17 @@ struct StepSettings {
   SolverSettings<S> solver{20000, S(1e-11), S(1.8)};  ///< of the solver
 };
 
+/// The contacts of bodies, by pairs in the order of the list.
+template <Ring S>
+struct FoundContacts {
+  std::vector<BodyContact<S>> contacts;
+  std::vector<PointFeatures> features;  ///< one for each contact
+};
+
 /// The contacts of a step and their impulses, for the warm start of the next step.
 template <Ring S>
 struct StepMemory {
-  std::vector<BodyContact<S>> contacts;     ///< in the order of the step
+  FoundContacts<S> found;                   ///< in the order of the step
   std::vector<ContactImpulse<S>> impulses;  ///< one for each contact
 };
 
@@ -147,9 +156,9 @@ bool far_apart(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
 /// displacement in the step. After an impact faster than the rest speed the bodies separate with e
 /// times the speed of approach.
 template <std::floating_point S>
-std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodies,
-                                          const StepSettings<S>& settings) {
-  std::vector<BodyContact<S>> contacts;
+FoundContacts<S> find_contacts(const std::vector<ShapedBody<S>>& bodies,
+                               const StepSettings<S>& settings) {
+  FoundContacts<S> found;
   std::vector<BodyShape<S>> shapes;
   std::vector<Sphere<S>> spheres;
   for (const ShapedBody<S>& body : bodies) {
@@ -187,41 +196,47 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
         const S room = -std::max(p.distance, S(0)) / settings.step;
         const bool hits = velocity < room && velocity < -settings.rest_speed && e > S(0);
         contact.min_velocity = hits ? -(e * velocity) : room;
-        contacts.push_back(contact);
+        found.contacts.push_back(contact);
+        found.features.push_back(p.features);
       }
     }
   }
-  return contacts;
+  return found;
 }
 // [/find-contacts]
 
 namespace detail {
 
 // [remembered]
-/// The impulses of the previous step: each contact takes that of the nearest previous contact of
-/// the same pair within the margin that none before it in the list has taken. Both lists are in the
-/// order of the pairs.
+/// The impulses of the previous step: each contact takes that of the same point of the same pair
+/// (matched_points(), with the margin as radius). Both lists are in the order of the pairs.
 template <std::floating_point S>
-std::vector<ContactImpulse<S>> remembered(const std::vector<BodyContact<S>>& contacts,
-                                          const StepMemory<S>& memory, const S& margin) {
-  const auto pair_of = [](const BodyContact<S>& c) { return std::pair{c.a, c.b}; };
-  std::vector<ContactImpulse<S>> start(contacts.size());
-  std::vector<bool> taken(memory.contacts.size(), false);
-  std::size_t first = 0;  // of the previous contacts of this pair
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto pair = pair_of(contacts[i]);
-    while (first < taken.size() && pair_of(memory.contacts[first]) < pair) ++first;
-    S nearest = margin * margin;
-    std::size_t found = taken.size();
-    for (std::size_t k = first; k < taken.size() && pair_of(memory.contacts[k]) == pair; ++k) {
-      const Vector3<S> between = memory.contacts[k].point - contacts[i].point;
-      if (taken[k] || !(between.dot(between) < nearest)) continue;
-      nearest = between.dot(between);
-      found = k;
-    }
-    if (found == taken.size()) continue;
-    taken[found] = true;
-    start[i] = memory.impulses[found];
+std::vector<ContactImpulse<S>> remembered(const FoundContacts<S>& now, const StepMemory<S>& memory,
+                                          const S& margin) {
+  const auto pair_of = [](const FoundContacts<S>& found, std::size_t i) {
+    return std::pair{found.contacts[i].a, found.contacts[i].b};
+  };
+  // The contacts of one pair from `first` on, which becomes the first of the next pair.
+  const auto manifold_of = [&](const FoundContacts<S>& found, std::size_t& first) {
+    ContactManifold<S> manifold{found.contacts[first].normal, {}};
+    const auto pair = pair_of(found, first);
+    for (; first < found.contacts.size() && pair_of(found, first) == pair; ++first)
+      manifold.points.push_back({found.contacts[first].point, S(0), found.features[first]});
+    return manifold;
+  };
+  std::vector<ContactImpulse<S>> start(now.contacts.size());
+  const FoundContacts<S>& previous = memory.found;
+  std::size_t old = 0;
+  for (std::size_t next = 0; next < now.contacts.size();) {
+    const std::size_t first = next;
+    const ContactManifold<S> manifold = manifold_of(now, next);
+    const auto pair = pair_of(now, first);
+    while (old < previous.contacts.size() && pair_of(previous, old) < pair) ++old;
+    if (old == previous.contacts.size() || pair_of(previous, old) != pair) continue;
+    const std::size_t old_first = old;
+    const std::vector<int> matched = matched_points(manifold, manifold_of(previous, old), margin);
+    for (std::size_t i = 0; i < matched.size(); ++i)
+      if (matched[i] >= 0) start[first + i] = memory.impulses[old_first + index(matched[i])];
   }
   return start;
 }
@@ -361,10 +376,11 @@ SolverReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>&
     }
     motions.push_back(body.motion);
   }
-  const std::vector<BodyContact<S>> contacts = find_contacts(bodies, settings);
-  const auto start = detail::remembered(contacts, memory, settings.margin);
+  const FoundContacts<S> found = find_contacts(bodies, settings);
+  const std::vector<BodyContact<S>>& contacts = found.contacts;
+  const auto start = detail::remembered(found, memory, settings.margin);
   const SolvedContacts<S> solved = detail::solve_step(motions, contacts, start, settings.solver);
-  memory = {contacts, solved.impulses};
+  memory = {found, solved.impulses};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     ShapedBody<S>& body = bodies[i];
     body.motion = solved.bodies[i];
