@@ -191,7 +191,12 @@ def test_what_tests_name_is_compiled_in_each_turn(monkeypatch: pytest.MonkeyPatc
 
 def test_a_chapter_without_figures_compiles_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CONTACT_CHAPTERS", "18_contacts")
-    assert page_parts.figures_and_ladders() == page_parts.compiler_and_exercises() == []
+    with monkeypatch.context() as patched:
+        for name in ("WITH_PARTS", "EXERCISES"):
+            left = [one for one in getattr(page_parts, name) if not one.startswith("18_")]
+            assert len(left) < len(getattr(page_parts, name))
+            patched.setattr(page_parts, name, left)
+        assert page_parts.figures_and_ladders() == page_parts.compiler_and_exercises() == []
     monkeypatch.setenv("CONTACT_CHAPTERS", "02_triangles")
     [step] = page_parts.figures_and_ladders()
     assert {name.split("/")[0] for name in page_parts.exercises()} == {"02_triangles"}
