@@ -75,24 +75,37 @@ class HardCases(BookDirective):
             self.missing_product(f"{path} is missing: docs/tell_hard_cases.py {slug} writes it")
             words = "Nothing is known of the hard cases yet."
             return [nodes.paragraph("", words, classes=["not-built"])]
-        return self.tables(json.loads(path.read_text(encoding="utf-8")))
+        self.depends(corpus)
+        stored = json.loads(corpus.read_text(encoding="utf-8"))["cases"]
+        asked = {case["name"]: case["question"].replace("_", " ") for case in stored}
+        data = json.loads(path.read_text(encoding="utf-8"))
+        for case in data["cases"]:
+            if case["name"] not in asked:
+                raise BookError(f'{path} has "{case["name"]}", which {corpus} has not')
+        return self.tables(data, asked)
 
-    def tables(self, data: dict[str, Any]) -> list[nodes.Node]:
-        """One table for each question the cases ask, since each has methods of its own."""
+    def tables(self, data: dict[str, Any], asked: dict[str, str]) -> list[nodes.Node]:
+        """One table for the questions that the same methods answer.
+
+        `asked` has the question of each case.
+        """
         groups: dict[tuple[str, ...], list[dict[str, Any]]] = {}
         for case in chosen(data["cases"], self.options.get("only", "").split()):
             methods = tuple(name for name in data["methods"] if name in case["verdicts"])
             groups.setdefault(methods, []).append(case)
         made: list[nodes.Node] = []
         for methods, cases in groups.items():
-            made += self.group(methods, cases)
+            made += self.group(methods, cases, asked)
         return made
 
-    def group(self, methods: tuple[str, ...], cases: list[dict[str, Any]]) -> list[nodes.Node]:
+    def group(
+        self, methods: tuple[str, ...], cases: list[dict[str, Any]], asked: dict[str, str]
+    ) -> list[nodes.Node]:
         rows = [self.row(methods, case) for case in cases]
         wrong = sum(1 for c in cases for m in methods if c["verdicts"][m] != "right")
         count = "1 hard case" if len(cases) == 1 else f"{len(cases)} hard cases"
-        words = f"{count}; {wrong} of {len(cases) * len(methods)} answers are wrong"
+        questions = ", ".join(dict.fromkeys(asked[case["name"]] for case in cases))
+        words = f"{questions}: {count}; {wrong} of {len(cases) * len(methods)} answers are wrong"
         heads = ["Case", "Exact answer", *methods]
         # A page may show some cases and, in a box, all: regions need names of their own.
         number = self.env.new_serialno("hard-cases") + 1
