@@ -36,6 +36,10 @@ interface Output {
 const NAMES = ["p0", "p1", "p2", "p3", "p4", "p5", "p6", "p7"] as const;
 const all = (input: Input): Vec2[] => NAMES.map((name) => input[name]);
 
+/** Whether the right hull is drawn as well, dashed. */
+const rightShown = (output: Output): boolean =>
+  output.found < output.true_vertices || output.wrong_turns > 0;
+
 export default defineFigure<Input, Output>({
   title: "A chain of left turns",
   view: { kind: "2d", x: [-5, 5], y: [-3.6, 3.6], grid: 1 },
@@ -102,7 +106,7 @@ export default defineFigure<Input, Output>({
     const at = (i: number | undefined): Vec2 => points[i ?? 0] ?? [0, 0];
     const hull = output.hull.slice(0, output.corners).map(at);
     if (hull.length > 2) scene.face(hull, { role: "surface", fill: 0.08, outline: false });
-    if (output.found < output.true_vertices || output.wrong_turns > 0) {
+    if (rightShown(output)) {
       const right = output.true_hull.slice(0, output.true_vertices).map(at);
       scene.path([...right, ...right.slice(0, 1)], { role: "normal", width: 1.5, dashed: true });
       for (const [i, p] of points.entries()) {
@@ -127,14 +131,14 @@ export default defineFigure<Input, Output>({
   values: (input, output) => [
     {
       name: "found",
-      meaning: "of the vertices of the hull, which is dashed",
+      meaning: `of the vertices of the hull${rightShown(output) ? " (dashed)" : ""}, after all tests`,
       value: `${output.found} of ${output.true_vertices}${output.corners > output.found ? `, ${output.corners - output.found} more` : ""}`,
       role:
         output.found < output.true_vertices || output.corners > output.found ? "miss" : "surface",
     },
     {
-      name: "wrong",
-      meaning: "tests of all",
+      name: "wrong tests",
+      meaning: "of all tests",
       value: output.wrong_turns,
       role: output.wrong_turns ? "miss" : "ink",
     },
@@ -158,5 +162,5 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe: (input, output) =>
-    `The hull of the eight points has ${output.true_vertices} vertices, of which ${output.found} are found. ${Math.min(input.step, output.steps)} of ${output.steps} orientation tests have been made.`,
+    `${Math.min(input.step, output.steps)} of ${output.steps} orientation tests have been made. After all tests, the chain has ${output.found} of the ${output.true_vertices} vertices of the hull.`,
 });
