@@ -25,20 +25,15 @@ interface Output {
 }
 
 const EDGE = 2.2;
+const KEY = { left: -2.1, right: -0.2, high: -2.5, low: -2.8 } as const;
 const small = { role: "muted", size: "small" } as const;
 const origin: Vec2 = [0, 0];
 const point = ([x = 0, y = 0]: readonly number[]): Vec2 => [x, y];
 
-function disc(scene: Scene, { limit, wanted }: Output): void {
-  const down = (wanted[1] ?? 0) > 0; // where no other label is
+function disc(scene: Scene, { limit }: Output): void {
   scene.line([-EDGE, 0], [EDGE, 0], { role: "muted", width: 1 });
   scene.line([0, -EDGE], [0, EDGE], { role: "muted", width: 1 });
   scene.ball(origin, limit, { role: "surface", fill: 0.2 });
-  scene.label([0, down ? -limit : limit], "μ · normal impulse", {
-    ...small,
-    anchor: "middle",
-    offset: [0, down ? 16 : -6],
-  });
 }
 
 function others(scene: Scene, output: Output): void {
@@ -53,28 +48,29 @@ function others(scene: Scene, output: Output): void {
     ];
     scene.path(corners, { role: "b", width: 1, dashed: true });
     scene.dot(point(output.by_axis), "b", 5, true);
-    scene.label(point(output.by_axis), "each component clamped", {
-      role: "b",
-      size: "small",
-      anchor: "middle",
-      offset: [0, (output.by_axis[1] ?? 0) < 0 ? 18 : -10],
-    });
   }
-  if (output.change_is_wrong) {
-    scene.dot(point(output.clamped_change), "miss", 5, true);
-    scene.label(point(output.clamped_change), "change clamped", {
-      role: "miss",
-      size: "small",
-      anchor: "middle",
-      offset: [0, (output.by_axis[1] ?? 0) < 0 ? -10 : 18],
-    });
+  if (output.change_is_wrong) scene.dot(point(output.clamped_change), "miss", 5, true);
+}
+
+/** What is what, below all that can be dragged. */
+function key(scene: Scene, output: Output): void {
+  const { left, right, high, low } = KEY;
+  scene.ball([left, high], 0.1, { role: "surface", fill: 0.2 });
+  scene.label([left, high], "radius: μ · normal impulse", { ...small, offset: [14, 4] });
+  for (const [shown, x, name, role] of [
+    [output.change_is_wrong, left, "change clamped", "miss"],
+    [output.axis_is_wrong, right, "each component clamped", "b"],
+  ] as const) {
+    if (!shown) continue;
+    scene.dot([x, low], role, 5, true);
+    scene.label([x, low], name, { role, size: "small", offset: [14, 4] });
   }
 }
 
 export default defineFigure<Input, Output>({
   title: "The disc of friction",
-  view: { kind: "2d", x: [-2.3, 2.3], y: [-2.3, 2.3] },
-  aspect: 1.05,
+  view: { kind: "2d", x: [-2.3, 2.3], y: [-2.95, 2.3] },
+  aspect: 0.95,
   initial: { sum: [0.8, 0.3], slip: [-0.6, 1.3], effective_mass: 1, mu: 0.5, normal: 2 },
   handles: [
     {
@@ -156,6 +152,7 @@ export default defineFigure<Input, Output>({
     if (!output.sticks) scene.line(wanted, after, { role: "muted", width: 1, dashed: true });
     others(scene, output);
     scene.arrow(origin, after, { role: "hit", width: 3 });
+    key(scene, output);
   },
   values(_input, output): Value[] {
     return [
@@ -166,14 +163,14 @@ export default defineFigure<Input, Output>({
       { name: "slip", meaning: "after the visit, m/s", value: output.left, role: "c" },
       { name: "contact", meaning: "after the visit", value: output.sticks ? "sticks" : "slides" },
       {
-        name: "not so",
-        meaning: "with the change clamped, N·s",
+        name: "sum",
+        meaning: "if the change were clamped instead, N·s",
         value: output.clamped_change,
         role: "miss",
       },
       {
-        name: "nor so",
-        meaning: "with each component clamped, N·s",
+        name: "sum",
+        meaning: "if each component were clamped, N·s",
         value: output.by_axis,
         role: "b",
       },

@@ -357,8 +357,8 @@ export default defineFigure<Input, Output>({
       },
       { name: "coupling", meaning: "a₁₂ / √(a₁₁ a₂₂)", value: output.coupling },
       {
-        name: "its square",
-        meaning: "of the error is left after an iteration, if both push",
+        name: "coupling²",
+        meaning: "factor of the error in each iteration, if both push",
         value: output.rate,
       },
       {
@@ -368,8 +368,8 @@ export default defineFigure<Input, Output>({
         role: GAUSS_SEIDEL,
       },
       {
-        name: "of Jacobi",
-        meaning: "to the same",
+        name: "iterations",
+        meaning: "of Jacobi to the same residual",
         value: counted(output.jacobi_needed),
         role: JACOBI,
       },

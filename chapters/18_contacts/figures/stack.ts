@@ -250,7 +250,7 @@ export default defineFigure<Input, Output>({
       },
       {
         name: "weight",
-        meaning: "impulse that carries all boxes for a step",
+        meaning: "load with which the boxes keep their velocity",
         value: output.weight[0] ?? 0,
         unit: "N·s",
       },

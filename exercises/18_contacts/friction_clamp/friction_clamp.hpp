@@ -29,9 +29,9 @@ struct Friction {
 /// The friction after a visit.
 ///
 /// By itself the visit would stop the slip: it would add −slip times the effective mass. By
-/// Coulomb's law the sum is no longer than μ times the normal impulse. A longer one is replaced by
-/// the nearest vector that is short enough. If the length is the largest allowed, the contact
-/// sticks.
+/// Coulomb's law the sum is no longer than μ times the normal impulse. A longer sum is replaced by
+/// the nearest vector that is short enough. The contact sticks if the length before this
+/// replacement is at most the largest allowed.
 ///
 /// @param sum of the friction impulses before the visit, N·s
 /// @param slip tangential velocity at the visit, m/s
