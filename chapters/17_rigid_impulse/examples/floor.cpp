@@ -34,10 +34,9 @@ int main() {
     print("clamped", c, contact::clamped_impact(c, e, 0.5), before);
   }
   const auto path = contact::newton_impact(c, 1.0, 0.5);
-  std::printf("the path by Newton's law, as (p_n, slip, u_n):");
+  std::printf("Newton, e = 1, (slip, u_n):");
   for (std::size_t k = 0; k < path.count; ++k) {
-    std::printf(" (%.3f, %.3f, %.3f)", path.path[k].impulse, path.path[k].slip,
-                path.path[k].normal);
+    std::printf(" (%.2f, %.2f)", path.path[k].slip, path.path[k].normal);
   }
   std::printf("\n");
 }

@@ -20,7 +20,7 @@ inline constexpr double seconds = 10;
 
 struct Output {
   double problem;
-  std::array<double, samples> matrix, quaternion, exponential, midpoint;  // errors: 2 sin(angle/2)
+  std::array<double, samples> matrix, quaternion, exponential, midpoint;  // errors
   std::array<double, samples> other;                                      // of the fifth curve
   std::array<double, 5> read;                                             // the errors at the time
   double length;  // of Euler's matrix's longest column at the end
@@ -31,7 +31,7 @@ namespace {
 using Matrix = contact::Matrix3<double>;
 
 double between(const Matrix& got, const Matrix& right) {
-  // For two rotations √(2·|1 − cos|·2) of the angle between them: the angle itself while small.
+  // For two rotations 2 sin(δ/2), where δ is the angle between them. Euler's matrix is no rotation.
   return (got - right).norm() / std::sqrt(2.0);
 }
 

@@ -28,6 +28,13 @@ const WAYS = [
   ["exponential", "exponential map", "c"],
   ["midpoint", "midpoint", "hit"],
 ] as const;
+/** Where the name of each is: sample, pixels below it, and anchor. Curves may be one, so no two names have one time. */
+const NAMES = [
+  [35, -10, "middle"],
+  [17, 22, "end"],
+  [40, 20, "end"],
+  [7, 22, "middle"],
+] as const;
 /** The fifth curve, by the number of its choice. */
 const OTHERS = ["", "orthonormalised", "one moment for all axes"] as const;
 /** Powers of ten at the lower and the upper edge, and how high one of them is. */
@@ -124,16 +131,9 @@ export default defineFigure<Input, Output>({
       // An exact method lies below the scale and has no curve.
       if (curve.length < 2) continue;
       scene.path(curve, { role, width: k === 1 ? 5 : 2, dashed: k === 2 });
-      // Two curves are often one: the name of the second is above it and at its end.
-      const second = field === "exponential";
-      const end = curve[second ? curve.length - 1 : curve.length - 6 - 8 * k];
-      if (end)
-        scene.label(end, name, {
-          role,
-          offset: [0, k === 1 ? 20 : -10],
-          anchor: second ? "end" : "middle",
-          size: "small",
-        });
+      const [sample, below, anchor] = NAMES[k] ?? NAMES[0];
+      const at = curve[Math.min(sample, curve.length - 1)];
+      if (at) scene.label(at, name, { role, offset: [0, below], anchor, size: "small" });
     }
     const other = curveOf(output.other);
     if (other.length < 2) return;
@@ -148,7 +148,7 @@ export default defineFigure<Input, Output>({
   values: (input, output) => [
     ...WAYS.map(([, name, role], k) => ({
       name,
-      meaning: "error at t, as a chord",
+      meaning: "error at t",
       value: output.read[k] ?? 0,
       role: role as Role,
     })),
@@ -156,7 +156,7 @@ export default defineFigure<Input, Output>({
       ? [
           {
             name: OTHERS[input.also] ?? "",
-            meaning: "error at t, as a chord",
+            meaning: "error at t",
             value: output.read[4] ?? 0,
             role: "miss" as Role,
           },
@@ -174,6 +174,6 @@ export default defineFigure<Input, Output>({
       input.also > 0
         ? ` The fifth curve, ${OTHERS[input.also]}, is off by ${pretty(output.read[4] ?? 0, 2)}.`
         : "";
-    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and the midpoint by ${pretty(output.read[3] ?? 0, 2)}, as chords of the unit circle.${other}`;
+    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and the midpoint by ${pretty(output.read[3] ?? 0, 2)}.${other}`;
   },
 });

@@ -124,8 +124,8 @@ export default defineFigure<Input, Output>({
     });
     scene.label(times(output.wrong_angular_velocity, PER_SPIN), "ω by I_body", {
       role: "miss",
-      offset: [-8, 6],
-      anchor: "end",
+      offset: [-14, -18],
+      anchor: "middle",
     });
   },
   values: (_input, output) => [
