@@ -198,7 +198,9 @@ function legend(result: LadderResult, own: boolean): string {
     return `<p><span class="name">${name}:</span> ${steps.join(" ")}</p>`;
   });
   const byDesign = result.methods.some(({ exact }) => exact);
-  const better = decides(result) ? "more often right" : "more accurate on the worst input";
+  const better = decides(result)
+    ? "at least as often right"
+    : "at least as accurate on the worst input";
   const signs = [
     result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
     byDesign
