@@ -25,7 +25,7 @@ interface Output {
 }
 
 const EDGE = 2.2;
-const KEY = { left: -2.1, right: -0.2, high: -2.5, low: -2.8 } as const;
+const KEY = { left: -2.1, right: -0.05, high: -2.5, low: -2.8 } as const;
 const small = { role: "muted", size: "small" } as const;
 const origin: Vec2 = [0, 0];
 const point = ([x = 0, y = 0]: readonly number[]): Vec2 => [x, y];
