@@ -243,7 +243,7 @@ std::vector<ContactImpulse<S>> remembered(const FoundContacts<S>& now, const Ste
 // [/remembered]
 
 /// The number of iterations before an active-set solve is tried.
-inline constexpr int iterations_before_exact = 8;
+inline constexpr int iterations_before_active_set = 8;
 
 // [solve-step]
 /// The impulses of a step: a few iterations from those of the previous step, which suffice while
@@ -258,7 +258,7 @@ SolvedContacts<S> solve_step(const std::vector<RigidBody<S>>& bodies,
   const auto prepared =
       prepared_contacts(bodies, contacts, settings.jacobi, settings.friction_bound);
   SolverSettings<S> few = settings;
-  few.iterations = std::min(settings.iterations, iterations_before_exact);
+  few.iterations = std::min(settings.iterations, iterations_before_active_set);
   few.relaxation = S(1);
   std::vector<ImpulseComponents<S>> impulses = clamped_impulses(prepared, start);
   const SolverReport<S> report = iterate_until(bodies, prepared, impulses, few);
