@@ -106,8 +106,8 @@ struct StepSettings {
 /// The contacts of bodies, by pairs in the order of the list.
 template <Ring S>
 struct FoundContacts {
-  std::vector<BodyContact<S>> contacts;
-  std::vector<PointFeatures> features;  ///< one for each contact
+  std::vector<BodyContact<S>> contacts;  ///< of a pair in the order of its manifold
+  std::vector<PointFeatures> features;   ///< one for each contact
 };
 
 /// The contacts of a step and their impulses, for the warm start of the next step.
