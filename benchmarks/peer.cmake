@@ -29,6 +29,22 @@ function(contact_add_peer program name)
   target_link_libraries(${program} PRIVATE ${library})
 endfunction()
 
+# A peer in C whose sources a package in build/crates brings, if it is there: they are compiled here, without Rust. PATTERN: the
+# folder with the peer's include and src, under that of the packages. A macro, since a language is enabled for the whole folder.
+macro(contact_add_c_peer program name pattern)
+  file(GLOB ${name}_source LIST_DIRECTORIES true "${PROJECT_SOURCE_DIR}/build/crates/registry/src/*/${pattern}")
+  if(${name}_source)
+    enable_language(C)
+    file(GLOB ${name}_files "${${name}_source}/src/*.c")
+    add_library(${program}_${name}_library STATIC EXCLUDE_FROM_ALL ${${name}_files})
+    target_include_directories(${program}_${name}_library SYSTEM PRIVATE "${${name}_source}/include" "${${name}_source}/src")
+    target_compile_features(${program}_${name}_library PRIVATE c_std_17)
+    target_compile_options(${program}_${name}_library PRIVATE -O2 -w)
+    target_compile_definitions(${program}_${name}_library PRIVATE NDEBUG)
+    contact_add_peer(${program} ${name} INCLUDE "${${name}_source}/include" LINK ${program}_${name}_library m)
+  endif()
+endmacro()
+
 # CGAL, if its header is there: its numbers are those of GMP and MPFR, and its intervals change the direction of rounding.
 function(contact_add_cgal program header)
   find_path(CONTACT_CGAL_INCLUDE CGAL/version.h)
