@@ -3,6 +3,7 @@
 // as it stands, without an allowance.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
 #include <contact/fixed_step_bounce.hpp>
@@ -356,6 +357,18 @@ TEST_CASE("a ball that is flipped without a test for approach sinks through the 
   const auto sunk = contact::bounce_in_steps(ball, 1.0 / 60, 600, StepRule::flip_below);
   CHECK(sunk.height < -0.01);
   CHECK(contact::bounce_in_steps(ball, 1.0 / 60, 600, StepRule::clamp).height >= 0);
+}
+
+TEST_CASE("a ball whose height is kept below the floor sinks in spite of a test for approach") {
+  const double dt = 1.0 / 64;
+  const double k = GENERATE(0.25, 0.5, 0.875);
+  double height = 1, velocity = 0;
+  for (int step = 0; step < 1280; ++step) {
+    velocity -= 8 * dt;
+    height += velocity * dt;
+    if (height < 0 && velocity < 0) velocity *= -k;
+  }
+  CHECK(height < -1);
 }
 
 TEST_CASE("no finite ball gives a NaN") {

@@ -196,7 +196,7 @@ export default defineFigure<Input, Output>({
     { name: "k", meaning: "√(h₁ / h)", value: output.k, role: "a" },
     {
       name: "h₁/h",
-      meaning: `as k: it rises to ${pretty(output.wrong_peak[0] ?? 0, 2)} m`,
+      meaning: `with this as k the ball rises to ${pretty(output.wrong_peak[0] ?? 0, 2)} m`,
       value: output.wrong_k,
       role: "miss",
     },

@@ -203,10 +203,8 @@ function legend(result: LadderResult, own: boolean): string {
     : "at least as accurate on the worst input";
   const signs = [
     result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
-    byDesign
-      ? `◆ never wrong by design${decides(result) ? ", so it counts as more often right than a method without ◆" : ""}`
-      : "",
-    `<strong>bold</strong>: no other method is both faster and ${better}`,
+    byDesign ? "◆ never wrong by design" : "",
+    `<strong>bold</strong>: no other method is both faster and ${better}${byDesign && decides(result) ? ", where a method without ◆ counts as less often right than one with ◆" : ""}`,
     "bar: time of one answer on a logarithmic axis, as the geometric mean over the families of inputs (the columns)",
     "line on the bar: from the lower to the upper quartile",
     "dot below the bar: the time of one family",
