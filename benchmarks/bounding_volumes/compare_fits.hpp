@@ -58,7 +58,7 @@ template <class Volume>
 void add(std::vector<comparison::Method<std::vector<Volume>>>& methods, const Scene& scene,
          const std::vector<peers::Fit<Volume>>& fits) {
   for (const peers::Fit<Volume>& fit : fits) {
-    if (scene.plain.front().size() > fit.most_points) continue;
+    if (scene.plain.front().size() > fit.max_points) continue;
     comparison::Method<std::vector<Volume>> method{fit.name, fit.prepare(scene.plain)};
     if (ends(method, std::vector<Volume>(scene.sets.size()))) {
       methods.push_back(std::move(method));

@@ -24,7 +24,7 @@ std::vector<typename Kernel::Point_3> points_of(const peers::Points& from) {
 }
 
 template <class Kernel>
-peers::Fit<peers::Ball> min_sphere(const char* name, std::size_t most_points) {
+peers::Fit<peers::Ball> min_sphere(const char* name, std::size_t max_points) {
   return peers::fit<peers::Ball>(
       name, points_of<Kernel>,
       [](const auto& points) {
@@ -35,12 +35,12 @@ peers::Fit<peers::Ball> min_sphere(const char* name, std::size_t most_points) {
         return peers::Ball{{number(centre.x()), number(centre.y()), number(centre.z())},
                            std::sqrt(number(sphere.squared_radius()))};
       },
-      most_points);
+      max_points);
 }
 
 /// In double, this one has the radius itself; in exact numbers, a sum of a fraction and a root.
 template <class Kernel, class Algorithm>
-peers::Fit<peers::Ball> min_sphere_of_spheres(const char* name, std::size_t most_points) {
+peers::Fit<peers::Ball> min_sphere_of_spheres(const char* name, std::size_t max_points) {
   using Number = typename Kernel::FT;
   using Traits = CGAL::Min_sphere_of_points_d_traits_3<
       Kernel, Number,
@@ -63,7 +63,7 @@ peers::Fit<peers::Ball> min_sphere_of_spheres(const char* name, std::size_t most
                              number(sphere.radius())};
         }
       },
-      most_points);
+      max_points);
 }
 
 using Plain = CGAL::Exact_predicates_inexact_constructions_kernel;

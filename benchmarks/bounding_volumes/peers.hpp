@@ -40,7 +40,7 @@ template <class Volume>
 struct Fit {
   std::string name;
   std::function<Make<Volume>(const Sets&)> prepare;
-  std::size_t most_points = std::numeric_limits<std::size_t>::max();  ///< of a set
+  std::size_t max_points = std::numeric_limits<std::size_t>::max();  ///< of a set
 };
 
 /// The smallest sphere: Min_sphere_d and Min_sphere_of_spheres_d, in exact numbers and in double.
@@ -73,7 +73,7 @@ std::vector<PairTest<Points>> coal_kdop_pairs();
 /// A way that keeps each set as `convert` makes it, and makes a volume of it by `make`.
 template <class Volume, class Convert, class MakeOne>
 Fit<Volume> fit(std::string name, Convert convert, MakeOne make,
-                std::size_t most_points = std::numeric_limits<std::size_t>::max()) {
+                std::size_t max_points = std::numeric_limits<std::size_t>::max()) {
   return {std::move(name),
           [convert, make](const Sets& sets) {
             using Kept = decltype(convert(sets.front()));
@@ -83,7 +83,7 @@ Fit<Volume> fit(std::string name, Convert convert, MakeOne make,
               for (std::size_t i = 0; i < kept->size(); ++i) volumes[i] = make((*kept)[i]);
             });
           },
-          most_points};
+          max_points};
 }
 
 /// A test that keeps each volume as `convert` makes it, and asks `meet` of two.

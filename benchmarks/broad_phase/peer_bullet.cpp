@@ -122,6 +122,6 @@ std::vector<peers::BroadPhase> peers::bullet_phases() {
                                  phase<Dbvt>("Bullet, btDbvtBroadphase"),
                                  phase<Sweep>("Bullet, bt32BitAxisSweep3")};
   // Each new proxy moves through the three sorted lists.
-  phases.back().most_boxes = 3000;
+  phases.back().max_boxes = 3000;
   return phases;
 }

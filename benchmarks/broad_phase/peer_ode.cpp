@@ -79,6 +79,6 @@ std::vector<peers::BroadPhase> peers::ode_phases() {
   std::vector<BroadPhase> phases{phase<Space>("ODE, hash space", Kind::hash),
                                  phase<Space>("ODE, quadtree space", Kind::quadtree),
                                  phase<Space>("ODE, sweep and prune space", Kind::sweep)};
-  for (BroadPhase& phase : phases) phase.most_boxes = 10000;
+  for (BroadPhase& phase : phases) phase.max_boxes = 10000;
   return phases;
 }

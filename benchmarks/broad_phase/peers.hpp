@@ -39,7 +39,7 @@ class Search {
 struct BroadPhase {
   std::string name;
   std::function<std::unique_ptr<Search>()> make;
-  std::size_t most_boxes = SIZE_MAX;  ///< it takes too long for more
+  std::size_t max_boxes = SIZE_MAX;  ///< it takes too long for more
 };
 
 /// btDbvt with the leaves inserted one by one, btDbvtBroadphase with its cache of pairs, and

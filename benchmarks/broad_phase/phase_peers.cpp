@@ -110,7 +110,7 @@ std::vector<Way> fresh_ways(const Boxes& boxes, const peers::Boxes& plain) {
     ways.push_back(book_way(boxes, method));
   }
   for (const peers::BroadPhase& phase : all_peers()) {
-    if (boxes.size() > phase.most_boxes) continue;
+    if (boxes.size() > phase.max_boxes) continue;
     ways.push_back({phase.name, [phase, &plain](Pairs& pairs) {
                       peers::Pairs found;
                       const double ms = timed([&] { phase.make()->find(plain, found); });
@@ -156,7 +156,7 @@ std::vector<Way> moving_ways(const std::array<const Boxes*, 2>& boxes,
                     }});
   }
   for (const peers::BroadPhase& phase : all_peers()) {
-    if (boxes[0]->size() > phase.most_boxes) continue;
+    if (boxes[0]->size() > phase.max_boxes) continue;
     const std::shared_ptr<peers::Search> search = phase.make();
     peers::Pairs found;
     search->find(plain[0], found);

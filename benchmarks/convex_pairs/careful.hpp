@@ -22,10 +22,10 @@ namespace careful {
 
 /// Of processor time, for one pair.
 inline constexpr int patience_in_milliseconds = 300;
-inline constexpr std::size_t most_ended = 10;
+inline constexpr std::size_t max_ended = 10;
 
 /// The pairs of which a program can be asked. It is asked of one after the other in a process of
-/// its own; where that ends, another begins after the pair. After `most_ended` of them it is asked
+/// its own; where that ends, another begins after the pair. After `max_ended` of them it is asked
 /// no more, and none of the rest counts as answered.
 /// @param prepare as in PairTest
 template <class Answer>
@@ -37,7 +37,7 @@ std::vector<char> answered(
                                               MAP_SHARED | MAP_ANONYMOUS, -1, 0));
   *next = 0;
   std::size_t ended = 0;
-  while (*next < pairs.size() && ended < most_ended) {
+  while (*next < pairs.size() && ended < max_ended) {
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
@@ -68,9 +68,9 @@ inline peers::Pairs without(const std::vector<char>& fine, const peers::Pairs& p
                             const std::string& title) {
   const auto ended = static_cast<std::size_t>(std::count(fine.begin(), fine.end(), 0));
   if (ended == 0) return pairs;
-  const bool too_many = ended >= std::min(most_ended, fine.size());
+  const bool too_many = ended >= std::min(max_ended, fine.size());
   std::printf("%s: %s%zu pairs end the program or take %d ms, and %s left out\n", title.c_str(),
-              too_many ? "at least " : "", too_many ? std::min(most_ended, ended) : ended,
+              too_many ? "at least " : "", too_many ? std::min(max_ended, ended) : ended,
               patience_in_milliseconds, too_many ? "it is" : "these are");
   if (too_many) return {};
   peers::Pairs made = pairs;

@@ -22,13 +22,13 @@ namespace careful {
 
 /// Of processor time, for one pair.
 inline constexpr int patience_in_milliseconds = 300;
-inline constexpr std::size_t most_ended = 30;
+inline constexpr std::size_t max_ended = 30;
 
 template <class Pairs>
 using Prepare = std::function<std::function<void(peers::Answers&)>(const Pairs&)>;
 
 /// The pairs of which a program can be asked. It is asked of one after the other in a process of
-/// its own; where that ends, another begins after the pair, up to `most_ended` times.
+/// its own; where that ends, another begins after the pair, up to `max_ended` times.
 template <class Pairs>
 std::vector<char> answered(const Prepare<Pairs>& prepare, const Pairs& pairs) {
   std::vector<char> fine(pairs.size(), 1);
@@ -36,7 +36,7 @@ std::vector<char> answered(const Prepare<Pairs>& prepare, const Pairs& pairs) {
                                               MAP_SHARED | MAP_ANONYMOUS, -1, 0));
   *next = 0;
   std::size_t ended = 0;
-  while (*next < pairs.size() && ended < most_ended) {
+  while (*next < pairs.size() && ended < max_ended) {
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {

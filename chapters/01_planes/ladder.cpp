@@ -54,13 +54,13 @@ bool collinear(const Triangle<float>& t) {
 }
 
 /// A random sphere near a triangle.
-Input anywhere(generators::Random& random, const Vector3<float>& place, double size) {
+Input anywhere(generators::Random& random, const Vector3<float>& position, double size) {
   for (;;) {
-    const Triangle<float> t{place + in_box(random, size), place + in_box(random, size),
-                            place + in_box(random, size)};
+    const Triangle<float> t{position + in_box(random, size), position + in_box(random, size),
+                            position + in_box(random, size)};
     if (collinear(t)) continue;
     return in_both_types(
-        t, {place + in_box(random, size), static_cast<float>(size * random.uniform())});
+        t, {position + in_box(random, size), static_cast<float>(size * random.uniform())});
   }
 }
 
@@ -102,9 +102,9 @@ Input exact_touch(generators::Random& random) {
 /// A step of a metre some kilometres out; the radius differs from the distance by one part in 2^8
 /// to 2^14.
 Input far_away(generators::Random& random) {
-  const Vector3<float> place = generators::rounded<float>(
+  const Vector3<float> position = generators::rounded<float>(
       Vector3<double>{random.magnitude(8, 12), random.magnitude(8, 12), random.magnitude(8, 12)});
-  Input input = anywhere(random, place, 1);
+  Input input = anywhere(random, position, 1);
   const Asked<double>& q = input.in_double;
   const double distance =
       std::abs(contact::signed_distance_from_point(q.ready.normal, q.points.a, q.sphere.centre));

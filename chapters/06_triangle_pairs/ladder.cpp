@@ -204,7 +204,7 @@ using Asked = std::shared_ptr<const Input>;
 using Answer = std::vector<TrianglePair>;
 
 /// Each with each, meshes have a hundred thousand pairs of triangles.
-constexpr std::size_t most_inputs = 60;
+constexpr std::size_t max_inputs = 60;
 
 std::pair<int, int> numbers(const TrianglePair& pair) { return {pair.of_first, pair.of_second}; }
 
@@ -371,7 +371,7 @@ ladder::Ladder<Asked, Answer> experiment() {
   ladder::Ladder<Asked, Answer> ladder(
       "Which triangles of two meshes meet?", [](const Asked& input) { return input->right; },
       judge);
-  ladder.at_most(most_inputs);
+  ladder.at_most(max_inputs);
   const auto family = [&ladder](const char* id, const char* title, auto generator) {
     ladder.family(id, title, generator);
   };

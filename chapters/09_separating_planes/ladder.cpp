@@ -396,14 +396,14 @@ auto experiment() {
 namespace depths {
 
 /// Less is not asked about: the rounded truth would be in doubt, m.
-constexpr double least_depth = 1e-13;
+constexpr double min_depth = 1e-13;
 
 auto experiment() {
   Measured<Boxes, Pair<Box, Hull>, Pair<Hull, Hull>> made("How deep?", 500);
   const auto family = [&made](const char* id, const char* title, auto draw) {
     made.family(id, title, draw, [](const auto& a, const auto& b) -> std::optional<Bounds> {
       const double right = measured_pairs::by_features(a, b).separation;
-      if (!(right < -least_depth)) return std::nullopt;
+      if (!(right < -min_depth)) return std::nullopt;
       return Bounds{right, right};
     });
   };

@@ -18,13 +18,13 @@ struct Input {
 };
 
 /// A height and a count; the truth says both of the floats and of the doubles.
-struct Place {
+struct Position {
   double height = 0;
   double bounces = 0;
 };
 struct Answer {
   bool of_floats = false;
-  Place in_float, in_double;
+  Position in_float, in_double;
   double highest = 1;
 };
 
@@ -40,7 +40,7 @@ double share(generators::Random& random, double low, double high) {
 }
 
 /// Number of impacts and height: n is the largest with (2 v / g)(1 + k + … + k^(n−1)) ≤ t.
-Place truth_of(double speed, double gravity, double k, double time) {
+Position truth_of(double speed, double gravity, double k, double time) {
   using contact::Exact;
   const Exact v(speed), g(gravity), e(k), t(time);
   const Exact two(2.0);
@@ -117,7 +117,7 @@ Input no_loss(generators::Random& random) {
 }
 
 template <class S>
-Place place(const contact::BounceState<S>& state, double k) {
+Position position(const contact::BounceState<S>& state, double k) {
   const bool endless = state.resting && k > 0;
   return {static_cast<double>(state.height),
           endless ? std::numeric_limits<double>::infinity() : static_cast<double>(state.bounces)};
@@ -125,8 +125,8 @@ Place place(const contact::BounceState<S>& state, double k) {
 
 /// The figure drops a ball: the same one, from its greatest height, has one more impact, the throw.
 template <class S>
-ladder::Example shown(const contact::BouncingBall<S>& ball, S time, const Place& told,
-                      const Place& truth) {
+ladder::Example shown(const contact::BouncingBall<S>& ball, S time, const Position& told,
+                      const Position& truth) {
   ladder::Example example;
   example.facts = {ladder::number("thrown upwards at, m/s", ball.velocity),
                    ladder::number("gravity, m/s²", ball.gravity),
@@ -168,8 +168,8 @@ ladder::Example shown(const contact::BouncingBall<S>& ball, S time, const Place&
 ladder::Ladder<Input, Answer> experiment() {
   const auto judge = [](const Answer& got, const Answer& right) {
     ladder::Verdict verdict;
-    const Place& told = got.of_floats ? got.in_float : got.in_double;
-    const Place& truth = got.of_floats ? right.in_float : right.in_double;
+    const Position& told = got.of_floats ? got.in_float : got.in_double;
+    const Position& truth = got.of_floats ? right.in_float : right.in_double;
     verdict.wrong = told.bounces != truth.bounces;
     verdict.error = std::abs(told.height - truth.height) / right.highest;
     return verdict;
@@ -187,10 +187,11 @@ ladder::Ladder<Input, Answer> experiment() {
                   [rule, rate](const Input& input) {
                     const auto steps = static_cast<long long>(std::ceil(input.time * rate));
                     const double dt = input.time / static_cast<double>(steps);
-                    return Answer{false,
-                                  {},
-                                  place(contact::bounce_in_steps(input.in_double, dt, steps, rule),
-                                        input.in_double.restitution)};
+                    return Answer{
+                        false,
+                        {},
+                        position(contact::bounce_in_steps(input.in_double, dt, steps, rule),
+                                 input.in_double.restitution)};
                   });
   };
   using contact::StepRule;
@@ -209,8 +210,8 @@ ladder::Ladder<Input, Answer> experiment() {
       {.id = "events-float", .title = "flight by flight", .scalar = "float", .exact = false},
       [](const Input& input) {
         return Answer{true,
-                      place(contact::follow_bounces(input.in_float, input.time_in_float, 0.0f),
-                            static_cast<double>(input.in_float.restitution)),
+                      position(contact::follow_bounces(input.in_float, input.time_in_float, 0.0f),
+                               static_cast<double>(input.in_float.restitution)),
                       {}};
       });
   ladder.method(
@@ -218,8 +219,8 @@ ladder::Ladder<Input, Answer> experiment() {
       [](const Input& input) {
         return Answer{false,
                       {},
-                      place(contact::follow_bounces(input.in_double, input.time, 0.0),
-                            input.in_double.restitution)};
+                      position(contact::follow_bounces(input.in_double, input.time, 0.0),
+                               input.in_double.restitution)};
       });
   ladder.method({.id = "rest",
                  .title = "flight by flight, rests below 1 mm",
@@ -228,10 +229,10 @@ ladder::Ladder<Input, Answer> experiment() {
                 [](const Input& input) {
                   return Answer{false,
                                 {},
-                                place(contact::follow_bounces(
-                                          input.in_double, input.time,
-                                          contact::rest_speed(0.001, input.in_double.gravity)),
-                                      input.in_double.restitution)};
+                                position(contact::follow_bounces(
+                                             input.in_double, input.time,
+                                             contact::rest_speed(0.001, input.in_double.gravity)),
+                                         input.in_double.restitution)};
                 });
   ladder.method({.id = "formula-float",
                  .title = "the book's formula",
@@ -239,8 +240,8 @@ ladder::Ladder<Input, Answer> experiment() {
                  .exact = true},
                 [](const Input& input) {
                   return Answer{true,
-                                place(contact::bounce_at(input.in_float, input.time_in_float),
-                                      static_cast<double>(input.in_float.restitution)),
+                                position(contact::bounce_at(input.in_float, input.time_in_float),
+                                         static_cast<double>(input.in_float.restitution)),
                                 {}};
                 });
   ladder.method({.id = "formula",
@@ -250,8 +251,8 @@ ladder::Ladder<Input, Answer> experiment() {
                 [](const Input& input) {
                   return Answer{false,
                                 {},
-                                place(contact::bounce_at(input.in_double, input.time),
-                                      input.in_double.restitution)};
+                                position(contact::bounce_at(input.in_double, input.time),
+                                         input.in_double.restitution)};
                 });
   ladder.method({.id = "exact", .title = "exact", .scalar = "exact", .exact = true}, [](const Input&
                                                                                             input) {

@@ -85,13 +85,13 @@ Input fall(generators::Random& random) {
 
 Input spring(generators::Random& random) {
   Scene<double> scene;
-  const double place = random.uniform(-1, 1);
+  const double displacement = random.uniform(-1, 1);
   const double speed = random.uniform(-4, 4);
-  scene.start = {short_number(place), short_number(speed)};
+  scene.start = {short_number(displacement), short_number(speed)};
   scene.spring = {short_number(random.uniform(2, 8))};
   scene.time = short_number(random.uniform(1, 6));
   return complete(Motion::spring, scene,
-                  std::abs(place) + std::abs(speed) / scene.spring.angular_frequency);
+                  std::abs(displacement) + std::abs(speed) / scene.spring.angular_frequency);
 }
 
 /// Thrown upwards from the floor; the time is in the first six flights and not close to an impact.
@@ -146,7 +146,7 @@ Turned turned(DoubleDouble angle) {
   return t;
 }
 
-Answer true_places(const Input& input) {
+Answer true_positions(const Input& input) {
   const Scene<double>& scene = input.wide;
   const DoubleDouble t(scene.time);
   const DoubleDouble half(0.5);
@@ -181,7 +181,7 @@ Answer true_places(const Input& input) {
 }
 
 Answer truth(const Input& input) {
-  Answer answer = true_places(input);
+  Answer answer = true_positions(input);
   answer.size = input.size;
   return answer;
 }
@@ -189,7 +189,7 @@ Answer truth(const Input& input) {
 // ---------------------------------------------------------------- the methods
 
 template <class S>
-Answer places(const TwoBallsAndWall<S>& end) {
+Answer positions(const TwoBallsAndWall<S>& end) {
   return {double(end.wall_gap), double(end.wall_gap + end.ball_gap), static_cast<double>(end.hits)};
 }
 
@@ -233,7 +233,7 @@ Answer at_the_end_of_steps(const Input& input, Integrator integrator, double rat
     case Motion::two_balls:
       break;
   }
-  return places(contact::two_balls_in_steps(scene.balls, steps.length, steps.count));
+  return positions(contact::two_balls_in_steps(scene.balls, steps.length, steps.count));
 }
 
 TwoBallsAndWall<double> moved(TwoBallsAndWall<double> balls, double t) {
@@ -284,7 +284,7 @@ Answer by_rolling_back(const Input& input, const contact::RollbackRules<double>&
   if (input.motion == Motion::two_balls) {
     auto now = scene.balls;
     for (long long i = 0; i < steps.count; ++i) now = rolled_back(now, steps.length, rules);
-    return places(now);
+    return positions(now);
   }
   return at_the_end_of_steps(input, Integrator::velocity_verlet, 60);
 }
@@ -303,7 +303,7 @@ Answer by_advancing(const Input& input, contact::StepRule rule, Integrator integ
       double left = steps.length;
       now = contact::two_balls_by_events(now, left, 100000);
     }
-    return places(now);
+    return positions(now);
   }
   return at_the_end_of_steps(input, integrator, 60);
 }
@@ -325,7 +325,7 @@ Answer without_steps(Motion motion, const Scene<S>& scene) {
       break;
   }
   S left = scene.time;
-  return places(contact::two_balls_by_events(scene.balls, left, 100000));
+  return positions(contact::two_balls_by_events(scene.balls, left, 100000));
 }
 
 /// The integrator of a method's steps of 1/60 s, if it has such steps.

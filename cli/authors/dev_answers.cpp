@@ -49,13 +49,13 @@ void check_silence(const Verdict& verdict, std::vector<std::string>& problems) {
 }
 
 // A reader's machine may be slower, and a right answer too.
-constexpr double least_margin = 8.0;
+constexpr double min_margin = 8.0;
 
 void check_solution_time(const Exercise& exercise, const TestVerdict& test,
                          std::vector<std::string>& problems) {
   for (const grading::TestSpec& spec : exercise.tests) {
     const double may_take = exercise.check_seconds(spec);
-    if (spec.name != test.name || least_margin * test.processor_seconds <= may_take) continue;
+    if (spec.name != test.name || min_margin * test.processor_seconds <= may_take) continue;
     problems.push_back("'" + spec.name + "' takes " + grading::points_text(test.processor_seconds) +
                        " s, and a reader's answer only has " + grading::points_text(may_take) +
                        " s: ask less, or give the test its solution_seconds (20 times as much is "

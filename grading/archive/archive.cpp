@@ -198,9 +198,9 @@ std::string submission_bytes(const Submission& submission) {
       throw ArchiveError(path + " " + problem + ", so it cannot be exported");
     size += text.size();
   }
-  if (size > most_in_all || files.size() > most_entries)
-    throw ArchiveError("this is more than an archive may hold: " + mebibytes(most_in_all) +
-                       " and " + std::to_string(most_entries) + " files");
+  if (size > max_in_all || files.size() > max_entries)
+    throw ArchiveError("this is more than an archive may hold: " + mebibytes(max_in_all) + " and " +
+                       std::to_string(max_entries) + " files");
   return zipped(files);
 }
 

@@ -14,7 +14,7 @@ namespace contact::grading {
 std::string mebibytes(std::size_t bytes) { return std::to_string(bytes / mebibyte) + " MiB"; }
 
 std::string problem_of_text(std::string_view text) {
-  if (text.size() > most_in_file) return "is larger than " + mebibytes(most_in_file);
+  if (text.size() > max_in_file) return "is larger than " + mebibytes(max_in_file);
   if (!is_utf8(text)) return "is not text in UTF-8";
   return text.find('\0') == std::string_view::npos ? "" : "is not text: it has a zero byte";
 }
@@ -26,8 +26,8 @@ bool is_archive_name(std::string_view name) {
 std::string packed(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) throw ArchiveError("it is not a file");
-  if (fs::file_size(file) > most_packed)
-    throw ArchiveError("it is larger than " + mebibytes(most_packed));
+  if (fs::file_size(file) > max_packed)
+    throw ArchiveError("it is larger than " + mebibytes(max_packed));
   std::string bytes = read_text(file);
   if (bytes.empty()) throw ArchiveError("it is empty");
   return bytes;
@@ -45,7 +45,7 @@ struct ArchiveEntries::State {
 namespace {
 
 ArchiveError too_many_entries() {
-  return ArchiveError("it has more than " + std::to_string(most_entries) + " entries");
+  return ArchiveError("it has more than " + std::to_string(max_entries) + " entries");
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ ArchiveEntries::ArchiveEntries(const std::string& bytes) : state_(std::make_uniq
   if (reader == nullptr) throw std::bad_alloc();
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) {
     archive_read_support_format_zip_seekable(reader);
-    if (state_->names.emplace(bytes).size() > most_entries) throw too_many_entries();
+    if (state_->names.emplace(bytes).size() > max_entries) throw too_many_entries();
   } else if (bytes.starts_with("\x1f\x8b")) {
     archive_read_append_filter(reader, ARCHIVE_FILTER_GZIP);
     archive_read_support_format_tar(reader);
@@ -75,7 +75,7 @@ bool ArchiveEntries::next() {
   if (status == ARCHIVE_EOF) return false;
   if (status != ARCHIVE_OK && status != ARCHIVE_WARN)
     throw ArchiveError("it is broken or cut off after " + last_);
-  if (++entries_ > most_entries) throw too_many_entries();
+  if (++entries_ > max_entries) throw too_many_entries();
   const char* raw = archive_entry_pathname(state_->entry);
   ZipName name;
   if (state_->names) {
@@ -118,10 +118,10 @@ void ArchiveEntries::require_plain() const {
 }
 
 void ArchiveEntries::require_room(std::size_t size, bool in_file) const {
-  if (in_file && size > most_in_file)
-    throw ArchiveError(shown_name(path()) + " is larger than " + mebibytes(most_in_file));
+  if (in_file && size > max_in_file)
+    throw ArchiveError(shown_name(path()) + " is larger than " + mebibytes(max_in_file));
   if (size > left_)
-    throw ArchiveError("it unpacks to more than " + mebibytes(most_in_all) + ", at " +
+    throw ArchiveError("it unpacks to more than " + mebibytes(max_in_all) + ", at " +
                        shown_name(path()));
 }
 

@@ -24,10 +24,10 @@ class ArchiveError : public BookError {
 
 // Bytes and counts that are limits wherever a reader's work is taken in.
 constexpr std::size_t mebibyte = std::size_t{1} << 20;
-constexpr std::size_t most_in_file = 1 * mebibyte;
-constexpr std::size_t most_in_all = 20 * mebibyte;
-constexpr std::size_t most_packed = 24 * mebibyte;
-constexpr std::size_t most_entries = 1000;
+constexpr std::size_t max_in_file = 1 * mebibyte;
+constexpr std::size_t max_in_all = 20 * mebibyte;
+constexpr std::size_t max_packed = 24 * mebibyte;
+constexpr std::size_t max_entries = 1000;
 
 /// "20 MiB" for 20 * mebibyte.
 std::string mebibytes(std::size_t bytes);
@@ -79,7 +79,7 @@ class ArchiveEntries {
   bool as_written_ = false;
   std::string last_ = "its beginning";
   std::size_t entries_ = 0;
-  std::size_t left_ = most_in_all;
+  std::size_t left_ = max_in_all;
 };
 
 }  // namespace contact::grading

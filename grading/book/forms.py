@@ -27,8 +27,8 @@ from marks import MARK, MarkError, Part, parts_of, without_marks
 from wrong_answers import PatchError, header_size, sources, text_of
 
 ROOT = Path(__file__).resolve().parents[2]
-MOST_DISTRACTORS = 3
-LEAST_LINES = 3
+MAX_DISTRACTORS = 3
+MIN_LINES = 3
 _TOKEN = re.compile(r"[A-Za-z_]\w*|[\d.]+|\S")
 
 
@@ -94,7 +94,7 @@ def distractors(exercise: str, parts: Sequence[Part], root: Path = ROOT) -> list
             continue
         misconception = header.removeprefix("// misconception: ")
         found[changed[0]] = Distractor(*changed, misconception)
-    return list(found.values())[:MOST_DISTRACTORS]
+    return list(found.values())[:MAX_DISTRACTORS]
 
 
 def _shuffled(count: int, pieces: int, name: str) -> list[int]:
@@ -209,8 +209,8 @@ def problems_of(exercise: str, root: Path = ROOT) -> list[str]:
     if "".join(part.text for part in parts) != without_marks(text):
         problems.append("its parts joined are not the solution")
     lines = len(pieces) + len(wrong)
-    if lines < LEAST_LINES:
-        problems.append(f"it has {lines} lines to order, at least {LEAST_LINES} are needed")
+    if lines < MIN_LINES:
+        problems.append(f"it has {lines} lines to order, at least {MIN_LINES} are needed")
     if not any(part.gaps for part in pieces):
         problems.append("it has no gap")
     for part in pieces:

@@ -24,8 +24,8 @@ from book_json import BookError, Json, book_json
 from regions import region, without_markers
 
 ROOT = Path(__file__).resolve().parents[2]
-MOST_MINUTES = 45
-MOST_LINES = 25  # of one listing
+MAX_MINUTES = 45
+MAX_LINES = 25  # of one listing
 WORDS_A_MINUTE = 200
 LINES_A_MINUTE = 12
 MINUTES_A_QUESTION = 1
@@ -88,14 +88,14 @@ class Lesson:
     @property
     def problems(self) -> list[str]:
         found = [
-            f"{listing.name} shows {listing.lines} lines, and a listing may have {MOST_LINES}: "
+            f"{listing.name} shows {listing.lines} lines, and a listing may have {MAX_LINES}: "
             "narrow its region, or fold it into a Deeper box"
             for listing in self.main.listings
-            if listing.lines > MOST_LINES
+            if listing.lines > MAX_LINES
         ]
-        if self.main.minutes > MOST_MINUTES and not self.may_be_long:
+        if self.main.minutes > MAX_MINUTES and not self.may_be_long:
             found.append(
-                f"it takes {self.main.minutes:.1f} minutes, and may take {MOST_MINUTES}: "
+                f"it takes {self.main.minutes:.1f} minutes, and may take {MAX_MINUTES}: "
                 + counted(self.main)
             )
         return found
@@ -261,7 +261,7 @@ def told(lesson: Lesson) -> str:
     if lesson.deeper.minutes:
         line += f", and {lesson.deeper.minutes:.1f} in Deeper boxes"
     if lesson.may_be_long:
-        line += f"; it may be longer than {MOST_MINUTES}: {lesson.may_be_long}"
+        line += f"; it may be longer than {MAX_MINUTES}: {lesson.may_be_long}"
     return line
 
 

@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMaxWords = 2000;
 // An answer is sent at once and arrives in large pieces. In small ones it could take as long as the
 // sender likes, which then would neither work nor sleep for long.
-constexpr std::size_t kMostSmallPieces = 256;
+constexpr std::size_t kMaxSmallPieces = 256;
 constexpr std::size_t kSmallPiece = 256;
 constexpr std::string_view kUnasked = "sent unrequested bytes";
 
@@ -154,7 +154,7 @@ class Conversation {
           recv(socket_, buffer_.data() + kept, buffer_.size() - kept, deadline_ ? MSG_DONTWAIT : 0);
       if (n > 0) {
         const auto size = static_cast<std::size_t>(n);
-        if (size < kSmallPiece && ++small_pieces_ > kMostSmallPieces)
+        if (size < kSmallPiece && ++small_pieces_ > kMaxSmallPieces)
           stop_because("sent its answer in too many small pieces");
         return size;
       }

@@ -23,7 +23,7 @@ std::string what_went_wrong(const Verdict& verdict) {
          (why.empty() ? "" : ": " + why);
 }
 
-double least_seconds(const Exercise& exercise, const UnitSettings& settings) {
+double min_seconds(const Exercise& exercise, const UnitSettings& settings) {
   return settings.limits.test_cpu_seconds > 0.0 ? settings.limits.test_cpu_seconds
                                                 : exercise.time_limit;
 }
@@ -33,7 +33,7 @@ double least_seconds(const Exercise& exercise, const UnitSettings& settings) {
 double calibrate(Loop& loop, const Book& book, const BuildDescription& build,
                  const Machine& machine, const Seat& seat, const Exercise& exercise,
                  UnitSettings settings) {
-  const double least = least_seconds(exercise, settings);
+  const double least = min_seconds(exercise, settings);
   settings.test_cpu_seconds = kTimesSolution * least;
   const UnitResult solution = grade_unit(loop, book, build, machine, seat, exercise,
                                          read_text(exercise.solution), settings);
@@ -47,7 +47,7 @@ double calibrate(Loop& loop, const Book& book, const BuildDescription& build,
 }
 
 double calibrating_seconds(const Exercise& exercise, UnitSettings settings) {
-  settings.test_cpu_seconds = kTimesSolution * least_seconds(exercise, settings);
+  settings.test_cpu_seconds = kTimesSolution * min_seconds(exercise, settings);
   return declared_seconds(exercise, settings);
 }
 

@@ -248,7 +248,7 @@ class Crew {
         give_again(*job, out_of_time_words(time_(*job)), tries_out_of_time);
       else
         give_again(*job, how_it_ended(result), 1);
-    } else if (!worker.ready && ++failed_starts_ >= most_tries) {
+    } else if (!worker.ready && ++failed_starts_ >= max_tries) {
       std::string said = result.errors;
       while (!said.empty() && said.back() == '\n') said.pop_back();
       if (const std::size_t colon = said.find(": "); said.starts_with("contact:"))
@@ -262,7 +262,7 @@ class Crew {
   }
 
   void give_again(const Job& job, const std::string& why, int counts) {
-    if ((tries_[job] += counts) < most_tries)
+    if ((tries_[job] += counts) < max_tries)
       waiting_.push_front(job);
     else
       troubles_.push_back({job, why});

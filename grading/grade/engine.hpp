@@ -34,7 +34,7 @@ struct JobTrouble {
 
 /// How often a job that fails is given before it is a JobTrouble. A job that outlives its time
 /// counts twice, since each time costs as long as a unit may take at most.
-inline constexpr int most_tries = 3;
+inline constexpr int max_tries = 3;
 inline constexpr int tries_out_of_time = 2;
 
 /// The seconds on the clock that a job may take.

@@ -120,8 +120,7 @@ std::vector<std::vector<std::string>> parse_csv(std::string_view text, const std
 IdTable::IdTable(const fs::path& file) : file_(file) {
   const std::string text = read_text(file);
   const std::string name = file.string();
-  if (text.size() > most_in_all)
-    throw BookError(name + " is larger than " + mebibytes(most_in_all));
+  if (text.size() > max_in_all) throw BookError(name + " is larger than " + mebibytes(max_in_all));
   if (!is_utf8(text)) throw BookError(name + " is not text in UTF-8: save it as \"CSV UTF-8\"");
   const std::vector<std::vector<std::string>> records = parse_csv(text, name);
   if (records.empty()) throw BookError(name + " is empty: its first line must be entry,id,name");

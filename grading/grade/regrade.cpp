@@ -53,7 +53,7 @@ Marks marks_of(const nlohmann::json& results) {
   return marks;
 }
 
-std::map<std::string, double> most_points(const nlohmann::json& results) {
+std::map<std::string, double> max_points(const nlohmann::json& results) {
   std::map<std::string, double> most;
   for (const nlohmann::json& exercise : results.at("exercises"))
     most[exercise.at("id").get<std::string>()] = exercise.at("max_points").get<double>();
@@ -131,8 +131,8 @@ bool of_another_class(const nlohmann::json& earlier, const std::set<std::string>
 nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after) {
   const Marks old = marks_of(before);
   const Marks now = marks_of(after);
-  const std::map<std::string, double> most = most_points(after);
-  const std::map<std::string, double> most_before = most_points(before);
+  const std::map<std::string, double> most = max_points(after);
+  const std::map<std::string, double> max_before = max_points(before);
   std::set<std::pair<std::string, std::string>> all;
   for (const auto& entry : old) all.insert(entry.first);
   for (const auto& entry : now) all.insert(entry.first);
@@ -154,7 +154,7 @@ nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::jso
                        {"exercise", which.second},
                        {"before", was ? points_json(then->second) : none},
                        {"after", is ? points_json(found->second) : none},
-                       {"max_points", (asked ? most : most_before).at(which.second)},
+                       {"max_points", (asked ? most : max_before).at(which.second)},
                        {"why", why},
                        {"tests", changed_tests(was ? *then->second.unit : none,
                                                is ? *found->second.unit : none)}});

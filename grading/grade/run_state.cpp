@@ -116,7 +116,7 @@ nlohmann::json to_json(const Run& run) {
           {"seed", run.seed},
           {"limits", to_json(run.limits)},
           {"accept_weak", run.accept_weak},
-          {"least_seconds", run.least_seconds},
+          {"min_seconds", run.min_seconds},
           {"test_seconds", run.test_seconds},
           {"unit_seconds", run.unit_seconds},
           {"keys", keys},
@@ -139,7 +139,7 @@ Run read_run(const fs::path& file) {
     json.at("seed").get_to(run.seed);
     run.limits = limits_from_json(json.at("limits"));
     json.at("accept_weak").get_to(run.accept_weak);
-    json.at("least_seconds").get_to(run.least_seconds);
+    json.at("min_seconds").get_to(run.min_seconds);
     json.at("test_seconds").get_to(run.test_seconds);
     // A folder written by an earlier version has none; it is computed before it is used.
     if (json.contains("unit_seconds")) json.at("unit_seconds").get_to(run.unit_seconds);
@@ -254,7 +254,7 @@ RunLock::~RunLock() {
 nlohmann::json machine_for_workers(const Machine& machine) {
   // A member that is added to Machine and not here stops the compiler.
   const auto& [level, measures, own_user_ids, namespaces, own_process_count, filter, closed_files,
-               groups, group_pids, group_memory, bubblewrap, launcher, most_workers] = machine;
+               groups, group_pids, group_memory, bubblewrap, launcher, max_workers] = machine;
   nlohmann::json told = nlohmann::json::array();
   for (const Measure& measure : measures)
     told.push_back({{"what", measure.what}, {"enforced", measure.enforced}, {"how", measure.how}});
@@ -270,7 +270,7 @@ nlohmann::json machine_for_workers(const Machine& machine) {
           {"group_memory", group_memory},
           {"bubblewrap", bubblewrap},
           {"launcher", launcher},
-          {"most_workers", most_workers}};
+          {"max_workers", max_workers}};
 }
 
 Machine machine_from_coordinator(const nlohmann::json& json) {
@@ -290,7 +290,7 @@ Machine machine_from_coordinator(const nlohmann::json& json) {
   json.at("group_memory").get_to(machine.group_memory);
   json.at("bubblewrap").get_to(machine.bubblewrap);
   json.at("launcher").get_to(machine.launcher);
-  json.at("most_workers").get_to(machine.most_workers);
+  json.at("max_workers").get_to(machine.max_workers);
   return machine;
 }
 

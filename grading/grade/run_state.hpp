@@ -53,7 +53,7 @@ struct Run {
   GradeLimits limits;
   bool accept_weak = false;
   /// What a test of each exercise may take at least, whatever its solution takes.
-  std::map<std::string, double> least_seconds;
+  std::map<std::string, double> min_seconds;
   /// Seconds of processor time that a test of each exercise may take.
   std::map<std::string, double> test_seconds;
   /// Seconds of elapsed time that a unit of each exercise may take, as unit_time.hpp declares them.

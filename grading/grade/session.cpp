@@ -187,7 +187,7 @@ std::vector<Job> Session::handed_in() const {
 int Session::workers_here() const {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const bool given = settings_.workers > 0 && settings_.engine == "local";
-  return std::min(given ? settings_.workers : cores, std::max(1, machine_.most_workers));
+  return std::min(given ? settings_.workers : cores, std::max(1, machine_.max_workers));
 }
 
 std::unique_ptr<Engine> Session::local_engine() {

@@ -22,7 +22,7 @@ constexpr double after_its_own = 20.0;
 // Seconds of a task that runs until its worker says that it is ready.
 constexpr double starting = 600.0;
 // The queue is asked more often than this; a longer step was one in which this program was stopped.
-constexpr double most_between_looks = 20.0;
+constexpr double max_between_looks = 20.0;
 // A shared folder may show a file some seconds after it was written elsewhere.
 constexpr Duration patience{5.0};
 // Controllers are restarted now and then; jobs go on meanwhile.
@@ -63,7 +63,7 @@ SlurmEngine::SlurmEngine(Loop& loop, const RunFolder& folder, const SlurmOptions
   split_words(options.more);
   try {
     commands_.require();
-    most_tasks_ = commands_.most_tasks();
+    max_tasks_ = commands_.max_tasks();
     look_back();
   } catch (const SlurmError& error) {
     throw BookError(error.what());
@@ -121,7 +121,7 @@ void SlurmEngine::watch(const SlurmArrayRecord& array,
     task.index = static_cast<int>(index);
     task.state = {"PENDING", ""};
     task.results_before = results_;
-    task.quiet_clock = FairClock(most_between_looks);
+    task.quiet_clock = FairClock(max_between_looks);
     for (const Job& job : slices[index]) {
       const auto found = waiting_.find(job);
       // The same unit may have been asked for alone since.
@@ -140,7 +140,7 @@ void SlurmEngine::submit(const std::vector<Job>& jobs) {
       if (job.alone == alone) chosen.push_back(job);
     }
     if (!chosen.empty())
-      submit_array(cut_into_slices(chosen, failures_, most_tasks_, commands_.options()), alone);
+      submit_array(cut_into_slices(chosen, failures_, max_tasks_, commands_.options()), alone);
   }
 }
 
@@ -339,14 +339,14 @@ std::vector<Job> SlurmEngine::lost(const Task& task, const std::vector<Job>& job
     const bool hung = ended_here && task.late;
     if (said || ended_here)
       failures_[job] += hung || (said && found->second.out_of_time) ? tries_out_of_time : 1;
-    if (failures_[job] >= most_tries) {
+    if (failures_[job] >= max_tries) {
       give_up(job, said   ? found->second.what
                    : hung ? out_of_time_words(setting_.time(job))
                           : end_of(task));
       continue;
     }
     barren_[job] = barren ? barren_[job] + 1 : 0;
-    if (barren_[job] >= most_tries) {
+    if (barren_[job] >= max_tries) {
       give_up(job, "nothing gets done on the cluster: " + end_of(task) +
                        ". Every node must see the results' folder and this program's under the "
                        "same path, and have what `contact doctor` asks for");

@@ -105,7 +105,7 @@ class SlurmEngine final : public Engine {
   SlurmCommands commands_;
   SlurmSetting setting_;
   SlurmRecord record_;
-  int most_tasks_ = 0;
+  int max_tasks_ = 0;
   /// An earlier coordinator had something in the queue.
   bool left_behind_ = false;
 

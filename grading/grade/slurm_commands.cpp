@@ -132,7 +132,7 @@ void SlurmCommands::require() {
   run({"squeue", "--noheader", "--name=contact-grade"});
 }
 
-int SlurmCommands::most_tasks() {
+int SlurmCommands::max_tasks() {
   // "MaxArraySize            = 1001": one more than the largest number of a task.
   constexpr std::string_view key = "MaxArraySize";
   const std::string said = run({"scontrol", "show", "config"});

@@ -74,7 +74,7 @@ class SlurmCommands {
   /// That the commands are here and the cluster answers.
   void require();
   /// How many tasks the cluster allows in an array.
-  int most_tasks();
+  int max_tasks();
   /// Returns the job's id.
   std::string submit(const SlurmArray& array);
   /// Every task of these jobs that the controller remembers; one that has ended is forgotten after

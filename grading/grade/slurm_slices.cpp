@@ -8,7 +8,7 @@ namespace {
 
 // Without a limit on tasks at a time, units are cut as if for so many.
 constexpr std::size_t assumed_tasks = 32;
-constexpr std::size_t most_units_a_task = 64;
+constexpr std::size_t max_units_a_task = 64;
 
 }  // namespace
 
@@ -41,20 +41,20 @@ trap : HUP INT TERM
 )";
 
 std::vector<std::vector<Job>> cut_into_slices(const std::vector<Job>& jobs,
-                                              const std::map<Job, int>& failures, int most_tasks,
+                                              const std::map<Job, int>& failures, int max_tasks,
                                               const SlurmOptions& options) {
   std::vector<std::vector<Job>> slices;
   std::vector<Job> rest;
   for (const Job& job : jobs) {
     const auto found = failures.find(job);
     if (found != failures.end() && found->second > 0 &&
-        slices.size() + 1 < static_cast<std::size_t>(most_tasks))
+        slices.size() + 1 < static_cast<std::size_t>(max_tasks))
       slices.push_back({job});
     else
       rest.push_back(job);
   }
   if (rest.empty()) return slices;
-  const std::size_t places = static_cast<std::size_t>(most_tasks) - slices.size();
+  const std::size_t places = static_cast<std::size_t>(max_tasks) - slices.size();
   std::size_t size = static_cast<std::size_t>(options.units_a_task);
   if (size == 0) {
     const std::size_t tasks = options.tasks_at_a_time > 0
@@ -62,7 +62,7 @@ std::vector<std::vector<Job>> cut_into_slices(const std::vector<Job>& jobs,
                                   : assumed_tasks;
     // Some four a task at a time, so that the last ones end together.
     size =
-        std::clamp((rest.size() + 4 * tasks - 1) / (4 * tasks), std::size_t{1}, most_units_a_task);
+        std::clamp((rest.size() + 4 * tasks - 1) / (4 * tasks), std::size_t{1}, max_units_a_task);
   }
   size = std::max(size, (rest.size() + places - 1) / places);
   for (std::size_t begin = 0; begin < rest.size(); begin += size) {

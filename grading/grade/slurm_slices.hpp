@@ -17,9 +17,9 @@ extern const char* const slurm_task_script;
 /// The units of each task. A job at which a task ended goes by itself, so that it takes no other
 /// with it again.
 /// @param failures how often a task ended at a job
-/// @param most_tasks that the cluster allows in an array
+/// @param max_tasks that the cluster allows in an array
 std::vector<std::vector<Job>> cut_into_slices(const std::vector<Job>& jobs,
-                                              const std::map<Job, int>& failures, int most_tasks,
+                                              const std::map<Job, int>& failures, int max_tasks,
                                               const SlurmOptions& options);
 
 }  // namespace contact::grading

@@ -16,16 +16,16 @@ namespace contact::grading {
 
 namespace {
 
-double least_test_seconds(const Exercise& exercise, const GradeLimits& limits) {
+double min_test_seconds(const Exercise& exercise, const GradeLimits& limits) {
   return limits.test_cpu_seconds > 0.0 ? limits.test_cpu_seconds : exercise.time_limit;
 }
 
 // What an earlier run of the same folder found, under the limits of now; nothing if it does not say
 // enough.
 std::optional<double> kept_seconds(const Run& before, const std::string& exercise, double least) {
-  const auto old_least = before.least_seconds.find(exercise);
+  const auto old_least = before.min_seconds.find(exercise);
   const auto old = before.test_seconds.find(exercise);
-  if (old_least == before.least_seconds.end() || old == before.test_seconds.end()) return {};
+  if (old_least == before.min_seconds.end() || old == before.test_seconds.end()) return {};
   // The solution's time stood for the limit, or is known to be short enough for a longer one.
   if (old->second > old_least->second) return std::max(least, old->second);
   if (least >= old_least->second) return least;
@@ -100,9 +100,9 @@ void set_times(Loop& loop, const SolutionTimes& with, Run& run) {
     solution.settings.limits = run.limits;
     const PrivateExercise* more = run.private_tests.of(id);
     if (more != nullptr) solution.settings.more_tests.push_back(more->program);
-    run.least_seconds[id] = least_test_seconds(exercise, run.limits);
+    run.min_seconds[id] = min_test_seconds(exercise, run.limits);
     if (with.before != nullptr)
-      solution.seconds = kept_seconds(*with.before, id, run.least_seconds[id]);
+      solution.seconds = kept_seconds(*with.before, id, run.min_seconds[id]);
     if (solution.seconds) {
       settle(keys, solution, run);
       // Its solution is known to get full marks under all that a unit depends on.

@@ -30,7 +30,7 @@ struct SolutionTimes {
 };
 
 /// Grades the solutions whose times or marks are not known yet, and fills in the run's
-/// least_seconds, test_seconds, unit_seconds and keys.
+/// min_seconds, test_seconds, unit_seconds and keys.
 /// @throws BookError if a solution does not get full marks; of several, the first in the book's
 /// order
 void set_times(Loop& loop, const SolutionTimes& with, Run& run);

@@ -104,7 +104,7 @@ std::string read_plain(int folder, const std::string& name, const std::string& p
                        "submission, and grade the copy");
   std::string text;
   std::array<char, 65536> part{};
-  while (text.size() <= most_in_file) {
+  while (text.size() <= max_in_file) {
     const ssize_t count = ::read(file.number(), part.data(), part.size());
     if (count < 0)
       throw ArchiveError(shown_name(path) + " cannot be read: " + std::strerror(errno));
@@ -187,8 +187,8 @@ class SubmissionFiles::Folder {
     while (const dirent* entry = ::readdir(folder.get())) {
       const std::string found = entry->d_name;
       if (found == "." || found == ".." || is_junk(found)) continue;
-      if (++entries_ > most_entries)
-        throw ArchiveError("it has more than " + std::to_string(most_entries) + " entries");
+      if (++entries_ > max_entries)
+        throw ArchiveError("it has more than " + std::to_string(max_entries) + " entries");
       names.push_back(found);
     }
     std::sort(names.begin(), names.end());
@@ -211,8 +211,8 @@ class SubmissionFiles::Folder {
       Found found{as_utf8(path), "", ""};
       found.text = read_plain(folder, name, path, found.problem);
       total_ += found.text.size();
-      if (total_ > most_in_all)
-        throw ArchiveError("it holds more than " + mebibytes(most_in_all) + ", at " +
+      if (total_ > max_in_all)
+        throw ArchiveError("it holds more than " + mebibytes(max_in_all) + ", at " +
                            shown_name(path));
       files_.add(*exercise, std::move(found));
     } else if (!is_of_export(parts_of(path))) {
@@ -257,9 +257,9 @@ void SubmissionFiles::add_archive(const fs::path& file) {
     }
     if (!seen.insert(path).second) throw ArchiveError(shown_name(path) + " is in it twice");
     Found found{path, "", ""};
-    if (entries.size() > most_in_file) {
+    if (entries.size() > max_in_file) {
       entries.pass();
-      found.problem = "is larger than " + mebibytes(most_in_file);
+      found.problem = "is larger than " + mebibytes(max_in_file);
     } else {
       found.text = entries.read();
       found.problem = problem_of_text(found.text);

@@ -32,7 +32,7 @@ class WithoutSignals {
 double FairClock::tick() {
   const double now =
       std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  if (last_ >= 0.0) seconds_ += std::clamp(now - last_, 0.0, most_in_a_step_);
+  if (last_ >= 0.0) seconds_ += std::clamp(now - last_, 0.0, max_in_a_step_);
   last_ = now;
   return seconds_;
 }

@@ -17,14 +17,14 @@ namespace contact::grading {
 /// is given the time that it has missed.
 class FairClock {
  public:
-  explicit FairClock(double most_in_a_step = 1.0) : most_in_a_step_(most_in_a_step) {}
+  explicit FairClock(double max_in_a_step = 1.0) : max_in_a_step_(max_in_a_step) {}
   /// Counts what has passed since the last call. @returns the seconds counted so far
   double tick();
   /// What passes before the next call does not count.
   void pause() { last_ = -1.0; }
 
  private:
-  double most_in_a_step_;
+  double max_in_a_step_;
   double last_ = -1.0;
   double seconds_ = 0.0;
 };

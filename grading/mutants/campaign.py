@@ -14,8 +14,8 @@ from trial import Bundle, Json, Trial, TrialError, run
 
 # A mutant may take so many times the solution's processor time, and at least so many seconds.
 TIMES_THE_SOLUTION = 20
-LEAST_SECONDS = 1.0
-MOST_ROUNDS = 12
+MIN_SECONDS = 1.0
+MAX_ROUNDS = 12
 # `if (pick(...))` and the like are what was mutated; the book's own compilation of the solution
 # finds what deserves a warning. A chosen constant in braces is no constant expression any more.
 FLAGS = ("-w", "-Wno-narrowing", "-Wno-error", "-fmax-errors=0")
@@ -150,7 +150,7 @@ def compiled(bundle: Bundle, source: str, folder: Path) -> tuple[Path, list[Muta
     mutants = mutants_of(source)
     refused: list[Mutant] = []
     file, thing, program = folder / "mutants.cpp", folder / "mutants.o", folder / "mutants"
-    for _ in range(MOST_ROUNDS):
+    for _ in range(MAX_ROUNDS):
         text, lines = switched(source, mutants)
         file.write_text(text)
         said = bundle.compile(file, folder / "none", *FLAGS, "-fsyntax-only")
@@ -207,7 +207,7 @@ def try_exercise(
         solved = run(program, {"CONTACT_MUTANT": "0"}, 60.0)
         if solved.status != "passed":
             raise TrialError(f"{exercise}: the solution itself fails '{solved.test}'")
-        limit = max(LEAST_SECONDS, TIMES_THE_SOLUTION * solved.seconds)
+        limit = max(MIN_SECONDS, TIMES_THE_SOLUTION * solved.seconds)
 
         def tried(mutant: Mutant) -> Tried:
             trial = run(program, {"CONTACT_MUTANT": str(mutant.number)}, limit)

@@ -29,7 +29,7 @@ from trial import Bundle, Json, TrialError, processor_seconds
 ROOT = Path(__file__).resolve().parents[2]
 WANTED_KILLED = 0.95
 WANTED_HINTED = 0.60
-MOST_EQUIVALENT = 0.10
+MAX_EQUIVALENT = 0.10
 
 
 def share(part: int, whole: int) -> str:

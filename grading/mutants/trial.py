@@ -15,7 +15,7 @@ from typing import Any
 Json = dict[str, Any]
 
 # Also of a program that sleeps; per mutant.
-MOST_SECONDS = 20.0
+MAX_SECONDS = 20.0
 MEMORY_MB = "512"
 
 
@@ -103,7 +103,7 @@ def run(program: Path, environment: Mapping[str, str], limit: float) -> Trial:
         try:
             # On a busy machine a process gets a small share of a processor: what waits is told
             # from what computes by the limit on its processor time.
-            output, _ = process.communicate(timeout=MOST_SECONDS + 10 * whole)
+            output, _ = process.communicate(timeout=MAX_SECONDS + 10 * whole)
         except subprocess.TimeoutExpired:
             process.kill()
             output, _ = process.communicate()

@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 
 // No reader has tried a million times; a number that no int holds would read as nonsense later.
-constexpr double most_counted = 1e6;
+constexpr double max_counted = 1e6;
 
 bool is_time(const json& value) {
   static const std::regex pattern(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,9})?Z)");
@@ -28,7 +28,7 @@ std::string time_in(const json& entry, const char* name) {
 double number_in(const json& entry, const char* name) {
   const auto found = entry.find(name);
   return found != entry.end() && found->is_number()
-             ? std::clamp(found->get<double>(), 0.0, most_counted)
+             ? std::clamp(found->get<double>(), 0.0, max_counted)
              : 0.0;
 }
 

@@ -32,7 +32,7 @@ T read(const nlohmann::json& entry, const char* name, T otherwise) {
 }
 
 // Nothing more is said after so many.
-constexpr std::size_t most_texts = 8;
+constexpr std::size_t max_texts = 8;
 
 // Of a file that was edited by hand, what is not as it should be is passed over.
 std::vector<std::string> texts_of(const nlohmann::json& entry, const std::string& test) {
@@ -54,7 +54,7 @@ nlohmann::json failing_after(const nlohmann::json& entry, const Verdict& verdict
     const bool fails = test.status == TestStatus::failed || test.status == TestStatus::stopped;
     if (fails && std::find(texts.begin(), texts.end(), verdict.code) == texts.end())
       texts.push_back(verdict.code);
-    if (texts.size() > most_texts) texts.erase(texts.begin());
+    if (texts.size() > max_texts) texts.erase(texts.begin());
     if (test.status != TestStatus::passed && !texts.empty()) failing[test.name] = texts;
   }
   return failing;

@@ -36,8 +36,8 @@ from reports.visibility import Policy, SeenSubmission, see
 Json = dict[str, Any]
 
 # A little more than the intake of submissions takes, so that it is the one that refuses.
-MOST_FILES = 2_000
-MOST_BYTES = 64 << 20
+MAX_FILES = 2_000
+MAX_BYTES = 64 << 20
 DEEPEST = 32
 
 SYSTEMS: dict[str, tuple[Callable[[SeenSubmission], Json], Callable[[str], Json]]] = {
@@ -129,7 +129,7 @@ def _take(submission: Path, handed_in: Path) -> None:
         suffix = next(end for end in (".zip", ".tar.gz", ".tgz") if entries[0].name.endswith(end))
         shutil.copyfile(entries[0], handed_in / f"submission{suffix}")
         return
-    room = [MOST_FILES, MOST_BYTES]
+    room = [MAX_FILES, MAX_BYTES]
     (handed_in / "submission").mkdir()
     if submission.is_dir():
         _copy(submission, handed_in / "submission", room)

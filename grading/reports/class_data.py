@@ -32,7 +32,7 @@ STATES = (
 # Replaces a reason that names a student.
 UNTOLD = "results.json and gradebook.csv say why"
 BINS = 10
-MOST_TROUBLES = 5
+MAX_TROUBLES = 5
 # A misconception is mentioned if at least this share of those who fail a test has it.
 WORTH_SAYING = 0.2
 
@@ -290,7 +290,7 @@ def _troubles(
             worth = count >= max(2, WORTH_SAYING * test.wrong)
             found.append(Trouble(row.exercise, test, misconceptions[id_] if worth else None, count))
     found.sort(key=lambda one: (-one.test.wrong, one.exercise.id, one.test.name))
-    return _distinct(found)[:MOST_TROUBLES]
+    return _distinct(found)[:MAX_TROUBLES]
 
 
 def _distinct(troubles: Sequence[Trouble]) -> list[Trouble]:

@@ -29,20 +29,20 @@ from reports.words import (
 
 Json = dict[str, Any]
 
-MOST_BYTES = 1_000_000
+MAX_BYTES = 1_000_000
 # Texts are cut to each of these in turn until the whole fits.
 CUTS = (8000, 2000, 500, 120)
 CUT_WORDS = "Long texts in this report are cut, because it may have no more than 1 MB."
 
 
 def prairielearn(submission: SeenSubmission) -> Json:
-    """The whole document, of MOST_BYTES at most."""
+    """The whole document, of MAX_BYTES at most."""
     document = _document(submission)
     for length in CUTS:
-        if size(document) <= MOST_BYTES:
+        if size(document) <= MAX_BYTES:
             return document
         document = _shortened(_document(submission), length)
-    while document["tests"] and size(document) > MOST_BYTES:
+    while document["tests"] and size(document) > MAX_BYTES:
         left_out = document["tests"][-1 - len(document["tests"]) // 4 :]
         document["tests"] = document["tests"][: -len(left_out)]
     return document

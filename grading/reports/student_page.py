@@ -20,7 +20,7 @@ from reports.words import (
     unit_state,
 )
 
-MOST_STEPS = 3
+MAX_STEPS = 3
 
 
 @dataclass(frozen=True)
@@ -38,8 +38,8 @@ def student_page(submission: SeenSubmission) -> str:
     return render(
         "student.html",
         submission=submission,
-        steps=steps[:MOST_STEPS],
-        more=len(steps) - len(steps[:MOST_STEPS]),
+        steps=steps[:MAX_STEPS],
+        more=len(steps) - len(steps[:MAX_STEPS]),
         anchor=_anchor,
         state=unit_state,
         problem=unit_problem,

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import unicodedata
 
-MOST_CHARACTERS = 20_000
-MOST_LINES = 400
-MOST_IN_LINE = 2_000
+MAX_CHARACTERS = 20_000
+MAX_LINES = 400
+MAX_IN_LINE = 2_000
 # Marks above and below one letter; text in real languages has no more.
-MOST_MARKS = 4
+MAX_MARKS = 4
 
 # Letters that are drawn as nothing: fillers, and the Braille pattern without a dot.
 _BLANK = {0x00AD, 0x034F, 0x115F, 0x1160, 0x17B4, 0x17B5, 0x180E, 0x2800, 0x3164, 0xFFA0, 0xFFFC}
@@ -31,7 +31,7 @@ def visible(text: str) -> str:
     for character in text:
         kind = unicodedata.category(character)
         marks = marks + 1 if kind in ("Mn", "Me") else 0
-        if marks <= MOST_MARKS:
+        if marks <= MAX_MARKS:
             shown.append(_stand_in(character, kind))
     return "".join(shown)
 
@@ -51,9 +51,9 @@ def _stand_in(character: str, kind: str) -> str:
 
 def cut(
     text: str,
-    characters: int = MOST_CHARACTERS,
-    lines: int = MOST_LINES,
-    in_line: int = MOST_IN_LINE,
+    characters: int = MAX_CHARACTERS,
+    lines: int = MAX_LINES,
+    in_line: int = MAX_IN_LINE,
     whole: int | None = None,
 ) -> str:
     """The beginning of a long text and how long it was; `whole` if some of it went before."""
@@ -75,7 +75,7 @@ def cut(
 def clean(text: str) -> str:
     """A text of several lines, fit to be shown."""
     # What will not be shown need not be looked at.
-    beginning = text[: 2 * MOST_CHARACTERS]
+    beginning = text[: 2 * MAX_CHARACTERS]
     shown = visible(beginning)
     return cut(shown, whole=len(shown) if beginning == text else len(text))
 

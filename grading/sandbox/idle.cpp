@@ -21,7 +21,7 @@ using Sleepers = std::vector<IdleClock::Sleeper>;
 constexpr std::chrono::milliseconds kPeriod{20};
 // A sample counts for at most this time, however late it comes, unless all have slept since the
 // previous sample.
-constexpr double kMostSeconds = 0.03;
+constexpr double kMaxSeconds = 0.03;
 
 std::optional<std::string> text_of(const std::string& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
@@ -166,7 +166,7 @@ void IdleClock::sample(std::initializer_list<int> processes, const std::function
   last_time_ = now;
   std::optional<Sleepers> sleepers = asleep_at_once(processes);
   if (sleepers && awaited()) sleepers.reset();
-  if (sleepers) seconds_ += sleepers == last_ ? elapsed : std::min(elapsed, kMostSeconds);
+  if (sleepers) seconds_ += sleepers == last_ ? elapsed : std::min(elapsed, kMaxSeconds);
   last_ = std::move(sleepers);
 }
 

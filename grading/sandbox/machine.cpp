@@ -106,7 +106,7 @@ Machine find(Loop& loop, std::string& why) {
   find_level(loop, machine, highest, why);
   machine.own_process_count =
       machine.own_user_ids || (machine.namespaces && kernel_counts_in_namespaces());
-  machine.most_workers = machine.own_process_count || machine.system_call_filter ? 1000 : 1;
+  machine.max_workers = machine.own_process_count || machine.system_call_filter ? 1000 : 1;
   return machine;
 }
 

@@ -51,7 +51,7 @@ struct Machine {
   std::string bubblewrap;
   std::string launcher;
   /// How many seats may work side by side without sharing a quota.
-  int most_workers = 1;
+  int max_workers = 1;
 };
 
 /// Tries each measure in a box of its own; takes less than a second. CONTACT_BOX_LEVEL, `reduced`

@@ -24,7 +24,7 @@ struct Free {
 Free* waiting[32];
 std::uintptr_t unused;
 
-constexpr std::uint32_t fewest_bits = 5, most_bits = 30;
+constexpr std::uint32_t fewest_bits = 5, max_bits = 30;
 
 std::uintptr_t round_up(std::uintptr_t address, std::size_t alignment) {
   return (address + alignment - 1) & ~(alignment - 1);
@@ -46,7 +46,7 @@ std::uintptr_t new_block(std::uint32_t bits) {
 
 void* allocate(std::size_t size, std::size_t alignment) {
   if (alignment < sizeof(Header)) alignment = sizeof(Header);
-  if (size > std::size_t(1) << (most_bits - 1) || alignment > std::size_t(1) << (most_bits - 2))
+  if (size > std::size_t(1) << (max_bits - 1) || alignment > std::size_t(1) << (max_bits - 2))
     return nullptr;
   std::uint32_t bits = fewest_bits;
   while ((std::size_t(1) << bits) < size + alignment) ++bits;

@@ -82,10 +82,10 @@ TEST_CASE("a tiny path turns like a large one") {
 
 TEST_CASE("a path far from the origin turns like one near it") {
   for (const double far : {0x1p30, -0x1p34, 0x1p40}) {
-    const Point place(far, far + 12345);
+    const Point position(far, far + 12345);
     for (const Point& c : {Point{2, 1}, Point{2, -1}, Point{2, 0}, Point{1, 1}}) {
-      check(place, place + Point{1, 0}, place + c);
-      check(place, place + Point{0.25, 0.125}, place + c);
+      check(position, position + Point{1, 0}, position + c);
+      check(position, position + Point{0.25, 0.125}, position + c);
     }
   }
 }

@@ -33,7 +33,7 @@ bool exact_differences(const Points& p) {
   return true;
 }
 
-double least_distance(const Points& p) {
+double min_distance(const Points& p) {
   return std::min({(p.a - p.b).norm(), (p.b - p.c).norm(), (p.c - p.a).norm()});
 }
 
@@ -74,7 +74,7 @@ BreakIt<Points> refused(std::string_view text) {
 TEST_CASE("a plane through distant points is refused") {
   refused("Which plane is refused, although its points are 0.1 m apart?")
       .rule("no two points are closer than 0.1 m",
-            [](const Points& p) { return least_distance(p) >= 0.1; })
+            [](const Points& p) { return min_distance(p) >= 0.1; })
       .input("points", [] { return exercise::plane_refused(); })
       .judge(judged);
 }

@@ -144,7 +144,7 @@ inline Lattice lattice(Random& random, Whole size) {
 inline std::array<Place, 3> around_origin(Random& random) {
   return {{{share(random), 0}, {0, share(random)}, {-share(random), -share(random)}}};
 }
-inline Place place(Random& random, int size) {
+inline Place position(Random& random, int size) {
   return {random.integer(-size, size), random.integer(-size, size)};
 }
 
@@ -187,12 +187,12 @@ inline Three with_point_inside(Random& random, const Lattice& plane) {
 inline WholePair with_edge_in_plane(Random& random, Whole size) {
   const Lattice plane = lattice(random, size);
   return {with_point_inside(random, plane),
-          {{plane(place(random, 4)), plane(place(random, 4)), point(random, size)}}};
+          {{plane(position(random, 4)), plane(position(random, 4)), point(random, size)}}};
 }
 inline WholePair with_shared_edge(Random& random, Whole size) {
   const Lattice plane = lattice(random, size);
   const Three first = with_point_inside(random, plane);
-  const Point other = random.chance(0.3) ? plane(place(random, 4)) : point(random, size);
+  const Point other = random.chance(0.3) ? plane(position(random, 4)) : point(random, size);
   return {first, {{first[1], first[0], other}}};
 }
 
@@ -209,7 +209,7 @@ inline WholePair at_a_line(Random& random, const Lattice& plane, Whole away) {
   const Whole slope = random.integer(-1, 1);
   const auto oblique = [slope](const Place& p) { return Place{p[0] + slope * p[1], p[1]}; };
   const auto on = [&](int side, Whole off) {
-    return oblique(on_side(place(random, 3), side, off));
+    return oblique(on_side(position(random, 3), side, off));
   };
   const bool edge = random.chance(0.7);  // the first has an edge on the line, else a vertex
   const Place left{edge ? -Whole{random.integer(0, 3)} : 0, 0};
@@ -230,7 +230,7 @@ inline WholePair overlapping(Random& random, Whole size) {
 
 inline WholePair inside(Random& random, Whole size) {
   const Lattice plane = lattice(random, size / 2);
-  const std::array<Place, 3> large{place(random, 1), place(random, 1), place(random, 1)};
+  const std::array<Place, 3> large{position(random, 1), position(random, 1), position(random, 1)};
   constexpr int parts = 6;
   const auto within = [&] {
     const Whole i = random.integer(0, parts);

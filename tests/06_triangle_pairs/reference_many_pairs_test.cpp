@@ -42,7 +42,7 @@ void require_meet(const Pair<S>& pair, bool meet) {
 struct Share {
   int meet = 100, apart = 100;
 };
-Share least_share(Family family) {
+Share min_share(Family family) {
   switch (family) {
     case Family::vertex_on_vertex:
     case Family::vertex_on_edge:
@@ -60,7 +60,7 @@ Share least_share(Family family) {
   }
 }
 void check_share(std::map<bool, int>& seen, Family family, int count) {
-  const Share least = least_share(family);
+  const Share least = min_share(family);
   CHECK(seen[true] >= count / 1000 * least.meet);
   CHECK(seen[false] >= count / 1000 * least.apart);
 }

@@ -271,7 +271,7 @@ std::vector<Triangle<S>> all_orders(const Triangle<S>& t) {
 }
 /// The vertices of a feature in the order of their coordinates.
 template <class S>
-std::vector<std::array<S, 3>> place_of(const Feature& feature, const Triangle<S>& t) {
+std::vector<std::array<S, 3>> position_of(const Feature& feature, const Triangle<S>& t) {
   const auto v = listed(t);
   const auto numbers = [](const Vector3<S>& x) { return std::array<S, 3>{x.x(), x.y(), x.z()}; };
   const auto i = static_cast<std::size_t>(feature.index);
@@ -297,8 +297,8 @@ void require_same(const TriangleIntersection<S>& got, const Triangle<S>& s, cons
     for (int k = 0; k < 3; ++k) {
       REQUIRE(same_bits(got.points[i].position[k], other.points[i].position[k]));
     }
-    REQUIRE(place_of(got.points[i].of_first, s) == place_of(other.points[i].of_first, u));
-    REQUIRE(place_of(got.points[i].of_second, t) == place_of(other.points[i].of_second, v));
+    REQUIRE(position_of(got.points[i].of_first, s) == position_of(other.points[i].of_first, u));
+    REQUIRE(position_of(got.points[i].of_second, t) == position_of(other.points[i].of_second, v));
   }
 }
 template <class S>

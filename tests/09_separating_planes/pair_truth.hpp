@@ -301,9 +301,9 @@ class Pair {
 
   /// v_ / over_ becomes the smallest difference of points of A and B; 0 if they meet.
   void closest() {
-    constexpr std::size_t most_tried = 24;
+    constexpr std::size_t max_tried = 24;
     const std::vector<Features> likely = features();
-    for (std::size_t i = 0; i < likely.size() && i < most_tried; ++i) {
+    for (std::size_t i = 0; i < likely.size() && i < max_tried; ++i) {
       try_features(likely[i]);
       if (known_ && (is_zero(v_) || is_closest())) return;
     }

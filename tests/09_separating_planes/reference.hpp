@@ -55,9 +55,9 @@ inline Box box(Random& random, Kind kind) {
     V half = grid_point(random, 2).cwiseAbs() + V(1, 1, 1);
     return {grid_point(random, 4), shape_oracle::rounded(r), half};
   }
-  const V place = any_point(random, 3);
+  const V position = any_point(random, 3);
   const Matrix3<double> axes = turn(random);
-  return {place, axes, sizes(random)};
+  return {position, axes, sizes(random)};
 }
 
 /// A box whose axes are related to those of another.

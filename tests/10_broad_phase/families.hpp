@@ -49,7 +49,7 @@ inline constexpr std::string_view name(Boxes family) {
 }
 
 template <class S>
-contact::Vector3<S> place(Random& random, double size) {
+contact::Vector3<S> in_box(Random& random, double size) {
   const double x = random.uniform(-size, size);
   const double y = random.uniform(-size, size);
   const double z = random.uniform(-size, size);
@@ -59,12 +59,12 @@ contact::Vector3<S> place(Random& random, double size) {
 /// A box with a corner at low and extents of at least 0 and less than size.
 template <class S>
 contact::Aabb<S> box_at(Random& random, const contact::Vector3<S>& low, double size) {
-  contact::Vector3<S> extent = place<S>(random, size).cwiseAbs();
+  contact::Vector3<S> extent = in_box<S>(random, size).cwiseAbs();
   return contact::aabb_from_corners<S>(low, low + extent);
 }
 
 template <class S>
-contact::Vector3<S> whole_place(Random& random, int size) {
+contact::Vector3<S> whole_in_box(Random& random, int size) {
   const int x = random.integer(-size, size);
   const int y = random.integer(-size, size);
   const int z = random.integer(-size, size);
@@ -77,16 +77,16 @@ std::vector<contact::Aabb<S>> make(Random& random, Boxes family, int n) {
   using V = contact::Vector3<S>;
   const double side = std::max(1.0, std::sqrt(double(n)));
   std::vector<contact::Aabb<S>> boxes;
-  const V far_place = place<S>(random, 1e6);
+  const V far_position = in_box<S>(random, 1e6);
   S edge = 0;
   for (int i = 0; i < n; ++i) {
     switch (family) {
       case Boxes::scattered:
-        boxes.push_back(box_at<S>(random, place<S>(random, side), 1.5));
+        boxes.push_back(box_at<S>(random, in_box<S>(random, side), 1.5));
         break;
       case Boxes::grid: {
-        const V low = whole_place<S>(random, 3);
-        const V extent = whole_place<S>(random, 2).cwiseAbs();
+        const V low = whole_in_box<S>(random, 3);
+        const V extent = whole_in_box<S>(random, 2).cwiseAbs();
         boxes.push_back({low, low + extent});
         break;
       }
@@ -94,12 +94,12 @@ std::vector<contact::Aabb<S>> make(Random& random, Boxes family, int n) {
         boxes.push_back({V::Constant(S(i % 3)), V::Constant(S(i % 3) + S(0.5))});
         break;
       case Boxes::points: {
-        const V at = whole_place<S>(random, 2);
+        const V at = whole_in_box<S>(random, 2);
         boxes.push_back({at, at});
         break;
       }
       case Boxes::one_huge:
-        boxes.push_back(box_at<S>(random, place<S>(random, side), 0.5));
+        boxes.push_back(box_at<S>(random, in_box<S>(random, side), 0.5));
         if (i == n / 2) boxes.back() = {V::Constant(S(-1e6)), V::Constant(S(1e6))};
         if (i == n / 3) boxes.back() = {V::Constant(S(-1e6)), V(S(0), S(1e6), S(1e6))};
         break;
@@ -121,40 +121,40 @@ std::vector<contact::Aabb<S>> make(Random& random, Boxes family, int n) {
         break;
       }
       case Boxes::far:
-        boxes.push_back(box_at<S>(random, far_place + place<S>(random, side / 8), 1));
+        boxes.push_back(box_at<S>(random, far_position + in_box<S>(random, side / 8), 1));
         break;
       case Boxes::huge: {
         const S largest = std::numeric_limits<S>::max();
-        const V a = place<S>(random, 1) * largest;
-        const V b = place<S>(random, 1) * largest;
+        const V a = in_box<S>(random, 1) * largest;
+        const V b = in_box<S>(random, 1) * largest;
         boxes.push_back({a.cwiseMin(b), a.cwiseMax(b)});
         break;
       }
       case Boxes::tiny: {
-        const V low = whole_place<S>(random, 9) * std::numeric_limits<S>::denorm_min();
+        const V low = whole_in_box<S>(random, 9) * std::numeric_limits<S>::denorm_min();
         const V extent =
-            whole_place<S>(random, 3).cwiseAbs() * std::numeric_limits<S>::denorm_min();
+            whole_in_box<S>(random, 3).cwiseAbs() * std::numeric_limits<S>::denorm_min();
         boxes.push_back({low, low + extent});
         break;
       }
       case Boxes::clusters: {
         const V crowd = V::Constant(S(1000 * random.integer(-2, 2)));
-        boxes.push_back(box_at<S>(random, crowd + place<S>(random, 3), 1));
+        boxes.push_back(box_at<S>(random, crowd + in_box<S>(random, 3), 1));
         break;
       }
       case Boxes::mixed_sizes: {
         const double size = std::abs(random.magnitude(-8, 4));
-        boxes.push_back(box_at<S>(random, place<S>(random, side), size));
+        boxes.push_back(box_at<S>(random, in_box<S>(random, side), size));
         break;
       }
       case Boxes::rods: {
-        boxes.push_back(box_at<S>(random, place<S>(random, side), 0.25));
+        boxes.push_back(box_at<S>(random, in_box<S>(random, side), 0.25));
         boxes.back().high(random.integer(0, 2)) += static_cast<S>(side);
         break;
       }
       case Boxes::borders: {
-        const V low = whole_place<S>(random, 9) / S(4);
-        const V high = low + whole_place<S>(random, 3).cwiseAbs() / S(4);
+        const V low = whole_in_box<S>(random, 9) / S(4);
+        const V high = low + whole_in_box<S>(random, 3).cwiseAbs() / S(4);
         const bool negative = random.chance(0.5);
         // A face at 0 is at −0 for half of the boxes.
         const auto signed_zero = [negative](S x) { return x == S(0) && negative ? -S(0) : x; };
@@ -162,7 +162,7 @@ std::vector<contact::Aabb<S>> make(Random& random, Boxes family, int n) {
         break;
       }
       case Boxes::columns: {
-        V low = whole_place<S>(random, 1) * S(3);
+        V low = whole_in_box<S>(random, 1) * S(3);
         low.z() = static_cast<S>(random.uniform(-side, side));
         boxes.push_back({low, low + V::Ones()});
         break;

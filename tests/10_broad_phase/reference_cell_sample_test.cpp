@@ -84,7 +84,7 @@ TEST_CASE("the model chooses the grid for many equal boxes far apart") {
   for (const int n : {1000, 4000}) {
     std::vector<Aabb<double>> boxes;
     for (int i = 0; i < n; ++i) {
-      const auto low = families::place<double>(random, 5 * std::cbrt(double(n)));
+      const auto low = families::in_box<double>(random, 5 * std::cbrt(double(n)));
       boxes.push_back({low, Vector3<double>(low + Vector3<double>::Ones())});
     }
     INFO(n << " boxes");
@@ -97,7 +97,7 @@ TEST_CASE("the model leaves the grid where one box far away makes its cells too 
   constexpr int n = 2000;
   std::vector<Aabb<double>> boxes;
   for (int i = 0; i < n; ++i) {
-    const auto low = families::place<double>(random, std::cbrt(double(n)));
+    const auto low = families::in_box<double>(random, std::cbrt(double(n)));
     boxes.push_back({low, Vector3<double>(low + Vector3<double>::Ones())});
   }
   CHECK(contact::broad_phase_cost<double>(boxes).cheapest() == BroadPhase::grid);

@@ -41,7 +41,7 @@ TEMPLATE_TEST_CASE("every broad phase finds the same pairs, and they are the rig
       for (int axis = 0; axis < 3; ++axis) CHECK(contact::sweep_pairs(view, axis).pairs == right);
       // Any grid gives the pairs, also one that does not suit the boxes.
       for (const double edge : {1e-3, 0.3, 1.0, 77.0, 1e30}) {
-        const contact::PairGrid<S> grid{families::place<S>(random, 5), static_cast<S>(edge)};
+        const contact::PairGrid<S> grid{families::in_box<S>(random, 5), static_cast<S>(edge)};
         CHECK(contact::grid_pairs(view, grid).pairs == right);
       }
       for (const auto method : {contact::BroadPhase::all_pairs, contact::BroadPhase::sweep,
@@ -140,12 +140,12 @@ TEST_CASE("an incremental sweep finds the pairs of a fresh one, and counts excha
     CHECK(sweep.resorted());
     // The order by low end, then by index, which is unique.
     const auto order = [&boxes] {
-      std::vector<std::uint32_t> places;
-      for (std::uint32_t i = 0; i < boxes.size(); ++i) places.push_back(i);
-      std::stable_sort(places.begin(), places.end(), [&](std::uint32_t i, std::uint32_t j) {
+      std::vector<std::uint32_t> indices;
+      for (std::uint32_t i = 0; i < boxes.size(); ++i) indices.push_back(i);
+      std::stable_sort(indices.begin(), indices.end(), [&](std::uint32_t i, std::uint32_t j) {
         return boxes[i].low(1) < boxes[j].low(1);
       });
-      return places;
+      return indices;
     };
     for (int step = 0; step < generators::tried(16); ++step) {
       const auto before = order();
@@ -211,9 +211,9 @@ TEMPLATE_TEST_CASE("a grid has at most one cell more than boxes", "", float, dou
   for (int round = 0; round < generators::tried(400); ++round) {
     std::vector<Aabb<S>> points;
     const int n = random.integer(2, 30);
-    const Vector3<S> spread = families::place<S>(random, 20);
+    const Vector3<S> spread = families::in_box<S>(random, 20);
     for (int i = 0; i < n; ++i) {
-      const Vector3<S> share = families::place<S>(random, 1);
+      const Vector3<S> share = families::in_box<S>(random, 1);
       const Vector3<S> at = spread.cwiseProduct(share).array().round();
       points.push_back({at, at});
     }

@@ -184,14 +184,14 @@ TEST_CASE("whole periods of shift change no pair") {
   const Vector3<double> period(5, 3, 7);
   std::vector<Aabb<double>> boxes;
   for (int i = 0; i < 40; ++i) {
-    const auto low = families::whole_place<double>(random, 20);
-    const Vector3<double> extent = families::whole_place<double>(random, 2).cwiseAbs();
+    const auto low = families::whole_in_box<double>(random, 20);
+    const Vector3<double> extent = families::whole_in_box<double>(random, 2).cwiseAbs();
     boxes.push_back({low, low + extent});
   }
   const auto right = contact::periodic_all_pairs<double>(boxes, period).pairs;
   CHECK(right.size() > 40);
   for (Aabb<double>& box : boxes) {
-    const auto periods = families::whole_place<double>(random, 1 << 30);
+    const auto periods = families::whole_in_box<double>(random, 1 << 30);
     const Vector3<double> shift = periods.cwiseProduct(period);
     box = {Vector3<double>(box.low + shift), Vector3<double>(box.high + shift)};
   }

@@ -29,7 +29,7 @@ std::vector<contact::BoxPair> checked_pairs(const std::vector<Aabb<S>>& boxes) {
 template <class S>
 void move_all(Random& random, std::vector<Aabb<S>>& boxes, double most) {
   for (Aabb<S>& box : boxes) {
-    const Vector3<S> by = families::place<S>(random, most);
+    const Vector3<S> by = families::in_box<S>(random, most);
     box = {Vector3<S>(box.low + by), Vector3<S>(box.high + by)};
   }
 }

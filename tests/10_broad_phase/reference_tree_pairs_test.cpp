@@ -71,7 +71,7 @@ TEMPLATE_TEST_CASE("a refitted tree finds the pairs of all pairs, in tight boxes
       CHECK(tree.growth() == 1);
       for (int step = 0; step < 8; ++step) {
         for (Aabb<S>& box : boxes) {
-          const Vector3<S> by = families::place<S>(random, most);
+          const Vector3<S> by = families::in_box<S>(random, most);
           box = {Vector3<S>(box.low + by), Vector3<S>(box.high + by)};
         }
         tree.refit(boxes);
@@ -188,7 +188,7 @@ TEST_CASE("a query counts its comparisons, and finds what touches after refittin
   auto boxes = families::make<double>(random, Boxes::scattered, 300);
   BoxTree<double> tree(boxes);
   for (Aabb<double>& box : boxes) {
-    const Vector3<double> by = families::place<double>(random, 0.5);
+    const Vector3<double> by = families::in_box<double>(random, 0.5);
     box = {Vector3<double>(box.low + by), Vector3<double>(box.high + by)};
   }
   tree.refit(boxes);

@@ -190,10 +190,10 @@ TEST_CASE("axis-aligned boxes: decided exactly, and the time rounded once") {
         box[k] = {low, low + extent};
         way[k] = boxes::whole(random, 4);
       } else {
-        const V low = boxes::place(random, 3);
-        const V extent = boxes::place(random, 1).cwiseAbs();
+        const V low = boxes::in_box(random, 3);
+        const V extent = boxes::in_box(random, 1).cwiseAbs();
         box[k] = {low, low + extent};
-        way[k] = boxes::place(random, 4);
+        way[k] = boxes::in_box(random, 4);
       }
     }
     // Most pairs that are not on integers are aimed at each other.

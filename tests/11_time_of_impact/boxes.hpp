@@ -84,7 +84,7 @@ inline std::optional<Rational> first_touch(const Box& a, const Box& b) {
   return from;
 }
 
-inline V place(Random& random, double size) {
+inline V in_box(Random& random, double size) {
   const double x = random.uniform(-size, size);
   const double y = random.uniform(-size, size);
   const double z = random.uniform(-size, size);
@@ -105,7 +105,7 @@ inline constexpr std::array<Kind, 8> all_kinds{Kind::plain,   Kind::grid, Kind::
                                                Kind::aligned, Kind::sized};
 
 inline contact::Matrix3<double> turned(Random& random) {
-  const V axis = place(random, 3);
+  const V axis = in_box(random, 3);
   return contact::matrix_of(contact::normalised(contact::exponential<double>(axis)));
 }
 
@@ -115,10 +115,10 @@ inline contact::Matrix3<double> turned(Random& random) {
 inline std::array<Box, 2> make(Random& random, Kind kind) {
   std::array<Box, 2> pair;
   for (Box& box : pair) {
-    box.frame.origin = place(random, 3);
+    box.frame.origin = in_box(random, 3);
     box.frame.axes = turned(random);
-    box.half_lengths = place(random, 1).cwiseAbs() + V::Constant(0.05);
-    box.displacement = place(random, 3);
+    box.half_lengths = in_box(random, 1).cwiseAbs() + V::Constant(0.05);
+    box.displacement = in_box(random, 3);
   }
   auto& [a, b] = pair;
   if (random.chance(0.5)) b.displacement = a.displacement + (a.frame.origin - b.frame.origin);
@@ -156,7 +156,7 @@ inline std::array<Box, 2> make(Random& random, Kind kind) {
       break;
     }
     case Kind::far: {
-      const V shift = place(random, 1e7);
+      const V shift = in_box(random, 1e7);
       a.frame.origin += shift;
       b.frame.origin += shift;
       break;
@@ -166,9 +166,9 @@ inline std::array<Box, 2> make(Random& random, Kind kind) {
       a.frame.origin = V(0, 0, 0);
       a.displacement = V(0, 0, 0);
       b.half_lengths = V(0.01, 0.01, 0.02);
-      b.frame.origin = place(random, 4);
+      b.frame.origin = in_box(random, 4);
       b.frame.origin.z() = random.uniform(1, 20);
-      b.displacement = place(random, 3);
+      b.displacement = in_box(random, 3);
       b.displacement.z() = -random.uniform(5, 900);
       break;
     case Kind::aligned:

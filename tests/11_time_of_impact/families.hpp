@@ -19,10 +19,10 @@ namespace families {
 using generators::Random;
 using V = contact::Vector3<double>;
 
-inline V place(Random& random, double size) {
+inline V in_box(Random& random, double size) {
   return V{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
-inline V whole_place(Random& random, int size) {
+inline V whole_in_box(Random& random, int size) {
   return V{double(random.integer(-size, size)), double(random.integer(-size, size)),
            double(random.integer(-size, size))};
 }
@@ -32,7 +32,7 @@ inline V on_grid(const V& x, int bits) {
       [bits](double c) { return std::ldexp(std::round(std::ldexp(c, bits)), -bits); });
 }
 /// A vector perpendicular to w, up to rounding, and 0 if w is.
-inline V across(Random& random, const V& w) { return V(w.cross(place(random, 1))); }
+inline V across(Random& random, const V& w) { return V(w.cross(in_box(random, 1))); }
 
 /// Two spheres that translate in a step.
 template <std::floating_point S>
@@ -87,36 +87,36 @@ inline constexpr std::string_view name(Spheres family) {
 /// Pairs of spheres of a family.
 template <std::floating_point S>
 MovingSpheres<S> spheres(Random& random, Spheres family) {
-  V centre_a = place(random, 4), centre_b = place(random, 4);
+  V centre_a = in_box(random, 4), centre_b = in_box(random, 4);
   double radius_a = random.uniform(0.125, 1), radius_b = random.uniform(0.125, 1);
-  V way_a = place(random, 4), way_b = place(random, 4);
+  V displacement_a = in_box(random, 4), displacement_b = in_box(random, 4);
   const V between = centre_b - centre_a;
   // Each draw has a statement of its own: compilers differ in the order within an expression.
   if (random.chance(0.5)) {
     const double share = random.uniform(0.5, 2);
-    way_a = way_b + between * share + place(random, 0.5);
+    displacement_a = displacement_b + between * share + in_box(random, 0.5);
   }
   switch (family) {
     case Spheres::graze: {
       // At the closest point of its path, b is a perpendicular of that length away.
-      const V w = way_b - way_a, side = across(random, w);
+      const V w = displacement_b - displacement_a, side = across(random, w);
       centre_b = centre_a + side * ((radius_a + radius_b) / side.norm()) - w * random.uniform();
       break;
     }
     case Spheres::fast: {
       const double times = random.uniform(50, 5000);
-      way_a = way_b + between * times + place(random, 2);
+      displacement_a = displacement_b + between * times + in_box(random, 2);
       break;
     }
     case Spheres::start_in_touch: {
-      centre_a = whole_place(random, 3);
+      centre_a = whole_in_box(random, 3);
       const int k = random.integer(0, 2);
       radius_a = random.integer(1, 4) / 4.0;
       radius_b = random.integer(1, 4) / 4.0;
       centre_b = centre_a;
       centre_b(k) += radius_a + radius_b;
-      way_a = whole_place(random, 1);
-      way_b = whole_place(random, 1);
+      displacement_a = whole_in_box(random, 1);
+      displacement_b = whole_in_box(random, 1);
       break;
     }
     case Spheres::overlapping:
@@ -124,28 +124,28 @@ MovingSpheres<S> spheres(Random& random, Spheres family) {
           centre_a + between * (random.uniform(0, 0.99) * (radius_a + radius_b) / between.norm());
       break;
     case Spheres::apart:
-      way_b = way_a + between * random.uniform(0, 2);
+      displacement_b = displacement_a + between * random.uniform(0, 2);
       break;
     case Spheres::crossing: {
-      const V cross = place(random, 2);
+      const V cross = in_box(random, 2);
       const double first = random.uniform(0.1, 0.3), second = random.uniform(0.7, 0.9);
-      way_a = place(random, 8);
-      way_b = place(random, 8);
-      centre_a = cross - way_a * first;
-      centre_b = cross - way_b * second;
+      displacement_a = in_box(random, 8);
+      displacement_b = in_box(random, 8);
+      centre_a = cross - displacement_a * first;
+      centre_b = cross - displacement_b * second;
       break;
     }
     case Spheres::at_the_end: {
-      const V apart = place(random, 1).normalized() * (radius_a + radius_b);
-      centre_b = centre_a + way_a - way_b + apart;
+      const V apart = in_box(random, 1).normalized() * (radius_a + radius_b);
+      centre_b = centre_a + displacement_a - displacement_b + apart;
       break;
     }
     case Spheres::same_motion:
-      way_a = random.chance(0.25) ? V(V::Zero()) : way_b;
-      if (way_a == V::Zero()) way_b = way_a;
+      displacement_a = random.chance(0.25) ? V(V::Zero()) : displacement_b;
+      if (displacement_a == V::Zero()) displacement_b = displacement_a;
       break;
     case Spheres::far: {
-      const V shift = place(random, sizeof(S) == sizeof(double) ? 1e8 : 1e3);
+      const V shift = in_box(random, sizeof(S) == sizeof(double) ? 1e8 : 1e3);
       centre_a += shift;
       centre_b += shift;
       break;
@@ -160,17 +160,17 @@ MovingSpheres<S> spheres(Random& random, Spheres family) {
       const double size = std::ldexp(1, random.integer(8, 20));
       centre_b = centre_a + between * (size / 4);
       radius_b = between.norm() * (size / 4) - radius_a - random.uniform(0, 1);
-      way_b = V(V::Zero());
-      way_a = between * random.uniform(-1, 1);
+      displacement_b = V(V::Zero());
+      displacement_a = between * random.uniform(-1, 1);
       break;
     }
     case Spheres::points:
       radius_a = 0;
       if (random.chance(0.5)) radius_b = 0;
-      centre_a = whole_place(random, 3);
-      centre_b = whole_place(random, 3);
-      way_a = whole_place(random, 3);
-      way_b = whole_place(random, 3);
+      centre_a = whole_in_box(random, 3);
+      centre_b = whole_in_box(random, 3);
+      displacement_a = whole_in_box(random, 3);
+      displacement_b = whole_in_box(random, 3);
       break;
     case Spheres::huge:
     case Spheres::tiny: {
@@ -179,8 +179,8 @@ MovingSpheres<S> spheres(Random& random, Spheres family) {
       const double scale = std::ldexp(1, family == Spheres::huge ? power : -power);
       centre_a *= scale;
       centre_b *= scale;
-      way_a *= scale;
-      way_b *= scale;
+      displacement_a *= scale;
+      displacement_b *= scale;
       radius_a *= scale;
       radius_b *= scale;
       break;
@@ -191,8 +191,8 @@ MovingSpheres<S> spheres(Random& random, Spheres family) {
   const auto stored = [](const V& v) { return contact::Vector3<S>(v.cast<S>()); };
   return {{stored(centre_a), static_cast<S>(radius_a)},
           {stored(centre_b), static_cast<S>(radius_b)},
-          stored(way_a),
-          stored(way_b)};
+          stored(displacement_a),
+          stored(displacement_b)};
 }
 
 }  // namespace families

@@ -88,8 +88,8 @@ inline void aim(MovingPoints& p, bool edges, const std::array<double, 4>& weight
 inline MovingPoints points(Random& random, Points family, bool edges) {
   MovingPoints p;
   for (std::size_t k = 0; k < 4; ++k) {
-    p.start[k] = place(random, 1);
-    p.end[k] = p.start[k] + place(random, 1);
+    p.start[k] = in_box(random, 1);
+    p.end[k] = p.start[k] + in_box(random, 1);
   }
   // Barycentric coordinates of the common point: halves and quarters, so that the aim is exact.
   std::array<double, 4> weights{1, 0.25, 0.25, 0.5};
@@ -101,8 +101,8 @@ inline MovingPoints points(Random& random, Points family, bool edges) {
   switch (family) {
     case Points::grid:
       for (std::size_t k = 0; k < 4; ++k) {
-        p.start[k] = whole_place(random, 2);
-        p.end[k] = whole_place(random, 2);
+        p.start[k] = whole_in_box(random, 2);
+        p.end[k] = whole_in_box(random, 2);
       }
       aimed = false;
       break;
@@ -124,7 +124,7 @@ inline MovingPoints points(Random& random, Points family, bool edges) {
         if (!edges) at[3] = at[2] + on_grid(at[2] - at[1], 8) + V{last, 0, -last};
       };
       follow(p.start);
-      const V turn = random.chance(0.5) ? V(V::Zero()) : place(random, 1);
+      const V turn = random.chance(0.5) ? V(V::Zero()) : in_box(random, 1);
       p.end = p.start;
       for (std::size_t k = 0; k < 4; ++k) p.end[k] += k < 2 ? turn : V(-turn);
       if (random.chance(0.5)) follow(p.end);
@@ -140,7 +140,7 @@ inline MovingPoints points(Random& random, Points family, bool edges) {
         p.start = {V(-1, 0, 0), V(-3, -3, -1.5), V(-3, 3, -1.5), V(3, 0, 1.5)};
         p.end = {V(1, 0, 0), V(-3, -3, 1.5), V(-3, 3, 1.5), V(3, 0, -1.5)};
       }
-      const V turn = on_grid(place(random, 1), 4);
+      const V turn = on_grid(in_box(random, 1), 4);
       const double last = detail::last_bit(random, 1);
       const int axis = random.integer(0, 2);
       for (auto* at : {&p.start, &p.end}) {
@@ -191,12 +191,12 @@ inline MovingPoints points(Random& random, Points family, bool edges) {
       for (std::size_t k = 0; k < 4; ++k) {
         const double speed = random.uniform(100, 1000);
         p.end[k] =
-            p.start[k] + (k < (edges ? 2U : 1U) ? V(place(random, 1) * speed) : V(V::Zero()));
+            p.start[k] + (k < (edges ? 2U : 1U) ? V(in_box(random, 1) * speed) : V(V::Zero()));
       }
       aimed = true;
       break;
     case Points::far:
-      shift = place(random, 1 << 20);
+      shift = in_box(random, 1 << 20);
       break;
     case Points::small:
       scale = 0x1p-20;

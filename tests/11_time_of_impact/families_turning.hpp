@@ -44,7 +44,7 @@ inline constexpr std::string_view name(Turning family) {
 
 /// A vector in any direction of a length in a range: a rotation, or a distance.
 inline V any_turn(Random& random, double least, double most) {
-  const V axis = place(random, 1).normalized();
+  const V axis = in_box(random, 1).normalized();
   return axis * random.uniform(least, most);
 }
 
@@ -53,11 +53,11 @@ inline V any_turn(Random& random, double least, double most) {
 inline TurningBoxes turning_boxes(Random& random, Turning family) {
   TurningBoxes pair;
   for (std::size_t k = 0; k < 2; ++k) {
-    pair.position[k] = place(random, 3);
-    pair.rotation[k] = place(random, 1.5);
-    pair.half_lengths[k] = place(random, 0.9).cwiseAbs() + V::Constant(0.1);
-    pair.displacement[k] = place(random, 3);
-    pair.angular_displacement[k] = place(random, 1.5);
+    pair.position[k] = in_box(random, 3);
+    pair.rotation[k] = in_box(random, 1.5);
+    pair.half_lengths[k] = in_box(random, 0.9).cwiseAbs() + V::Constant(0.1);
+    pair.displacement[k] = in_box(random, 3);
+    pair.angular_displacement[k] = in_box(random, 1.5);
   }
   if (random.chance(0.5)) {
     pair.displacement[1] =
@@ -114,7 +114,7 @@ inline TurningBoxes turning_boxes(Random& random, Turning family) {
       pair.rotation[0] *= 0.1;
       break;
     case Turning::far: {
-      const V shift = place(random, 1e6);
+      const V shift = in_box(random, 1e6);
       for (V& c : pair.position) c += shift;
       break;
     }

@@ -283,8 +283,8 @@ void add_capsule(hard_cases::Runner& runner) {
                          square(across) - radius_sum * radius_sum * ee};
     if (side.a != 0 && side.discriminant() >= 0) {
       const Surd t = side.roots().front();
-      const Surd place = t * Rational(w.dot(e)) + along;
-      if (oracle::sign(place) >= 0 && oracle::sign(place + Rational(-ee)) <= 0) note(t);
+      const Surd position = t * Rational(w.dot(e)) + along;
+      if (oracle::sign(position) >= 0 && oracle::sign(position + Rational(-ee)) <= 0) note(t);
     }
     return answer_of(first);
   });

@@ -228,16 +228,16 @@ inline std::vector<Input> simpler(const Input& input) {
 
 /// Orthonormal columns, up to rounding.
 inline contact::Matrix3<double> turned(generators::Random& random) {
-  const Vector axis = families::place(random, 3);
+  const Vector axis = families::in_box(random, 3);
   return contact::matrix_of(contact::normalised(contact::exponential<double>(axis)));
 }
 
 inline Box any_box(generators::Random& random) {
   Box box;
-  box.frame.origin = families::place(random, 3);
+  box.frame.origin = families::in_box(random, 3);
   box.frame.axes = turned(random);
-  box.half_lengths = families::place(random, 1).cwiseAbs() + Vector::Constant(0.05);
-  box.displacement = families::place(random, 3);
+  box.half_lengths = families::in_box(random, 1).cwiseAbs() + Vector::Constant(0.05);
+  box.displacement = families::in_box(random, 3);
   return box;
 }
 
@@ -252,9 +252,9 @@ inline Input random(generators::Random& random) {
 inline Input whole(generators::Random& random) {
   const auto any = [&random] {
     Box box;
-    box.frame.origin = families::whole_place(random, 3);
-    box.half_lengths = families::whole_place(random, 1).cwiseAbs() + Vector::Ones();
-    box.displacement = families::whole_place(random, 4);
+    box.frame.origin = families::whole_in_box(random, 3);
+    box.half_lengths = families::whole_in_box(random, 1).cwiseAbs() + Vector::Ones();
+    box.displacement = families::whole_in_box(random, 4);
     return box;
   };
   const Box a = any();
@@ -265,7 +265,7 @@ inline Input whole(generators::Random& random) {
 inline Input nearly_parallel(generators::Random& random) {
   const Box a = any_box(random);
   Box b = any_box(random);
-  const Vector by = std::ldexp(1.0, -30) * families::place(random, 1);
+  const Vector by = std::ldexp(1.0, -30) * families::in_box(random, 1);
   const auto slightly = contact::matrix_of(contact::normalised(contact::exponential<double>(by)));
   b.frame.axes = slightly * a.frame.axes;
   return made(a, b);
@@ -294,14 +294,14 @@ inline Input last_moment(generators::Random& random) {
 /// One face on another at the start, axis-aligned, or a few ulps from it.
 inline Input start_in_touch(generators::Random& random) {
   Box a, b;
-  a.half_lengths = families::place(random, 1).cwiseAbs() + Vector::Constant(0.25);
-  b.half_lengths = families::place(random, 1).cwiseAbs() + Vector::Constant(0.25);
-  b.frame.origin = families::place(random, 0.4);
+  a.half_lengths = families::in_box(random, 1).cwiseAbs() + Vector::Constant(0.25);
+  b.half_lengths = families::in_box(random, 1).cwiseAbs() + Vector::Constant(0.25);
+  b.frame.origin = families::in_box(random, 0.4);
   const int k = random.integer(0, 2);
   b.frame.origin(k) =
       (a.half_lengths(k) + b.half_lengths(k)) * (1 + random.integer(-2, 2) * 0x1p-52);
-  a.displacement = families::place(random, 0.5);
-  b.displacement = families::place(random, 0.5);
+  a.displacement = families::in_box(random, 0.5);
+  b.displacement = families::in_box(random, 0.5);
   return made(a, b);
 }
 

@@ -50,7 +50,7 @@ bool close(S got, const Surd& right, int units) {
 }
 
 template <class S>
-Vector3<S> place(Random& random, double size) {
+Vector3<S> in_box(Random& random, double size) {
   const double x = random.uniform(-size, size);
   const double y = random.uniform(-size, size);
   const double z = random.uniform(-size, size);
@@ -95,19 +95,20 @@ Pair<S> pair_of(Random& random, int kind) {
     p.vb = whole<S>(random, 3);
     return p;
   }
-  p.a.centre = place<S>(random, 4);
-  p.b.centre = place<S>(random, 4);
+  p.a.centre = in_box<S>(random, 4);
+  p.b.centre = in_box<S>(random, 4);
   p.a.radius = static_cast<S>(random.uniform(0, 2));
   p.b.radius = static_cast<S>(random.uniform(0, 2));
-  p.va = place<S>(random, 3);
-  p.vb = place<S>(random, 3);
+  p.va = in_box<S>(random, 3);
+  p.vb = in_box<S>(random, 3);
   // Half of them are aimed at each other.
-  if (random.chance(0.5)) p.va = p.vb + (p.b.centre - p.a.centre) * S(0.7) + place<S>(random, 0.5);
+  if (random.chance(0.5))
+    p.va = p.vb + (p.b.centre - p.a.centre) * S(0.7) + in_box<S>(random, 0.5);
   const S radius_sum = p.a.radius + p.b.radius;
   if (kind == 2) {
     // The path passes at a distance of the sum of both radii.
     const Vector3<S> d = p.b.centre - p.a.centre;
-    const Vector3<S> across = contact::normalised(Vector3<S>(d.cross(place<S>(random, 1))));
+    const Vector3<S> across = contact::normalised(Vector3<S>(d.cross(in_box<S>(random, 1))));
     p.va = p.vb + d;
     p.a.centre += across * nudged(random, radius_sum, 3);
   }
@@ -116,7 +117,7 @@ Pair<S> pair_of(Random& random, int kind) {
     p.a.centre = p.b.centre + d * nudged(random, radius_sum, 3);
   }
   if (kind == 4) {
-    const Vector3<S> shift = place<S>(random, 1e6);
+    const Vector3<S> shift = in_box<S>(random, 1e6);
     p.a.centre += shift;
     p.b.centre += shift;
   }
@@ -297,10 +298,10 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
   Random random(4);
   std::array<int, 5> seen{};  // at once, falling, thrown up, grazing or away, never
   for (int i = 0; i < generators::tried(6000); ++i) {
-    contact::Sphere<S> sphere{place<S>(random, 3), static_cast<S>(random.uniform(0, 1))};
+    contact::Sphere<S> sphere{in_box<S>(random, 3), static_cast<S>(random.uniform(0, 1))};
     contact::Plane<S> plane;
-    Vector3<S> velocity = place<S>(random, 4);
-    Vector3<S> gravity = place<S>(random, 10);
+    Vector3<S> velocity = in_box<S>(random, 4);
+    Vector3<S> gravity = in_box<S>(random, 10);
     switch (i % 5) {
       case 0:  // a floor
         plane = {Vector3<S>::UnitZ(), S(0)};
@@ -319,8 +320,8 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
         sphere.centre.z() = nudged(random, sphere.radius, 2);
         break;
       case 3:  // any plane
-        plane = contact::plane_from_normal_and_point<S>(place<S>(random, 1) + Vector3<S>(0, 0, 2),
-                                                        place<S>(random, 2));
+        plane = contact::plane_from_normal_and_point<S>(
+            in_box<S>(random, 1) + Vector3<S>(0, 0, 2), in_box<S>(random, 2));
         break;
       default:  // no gravity, or almost none
         plane = {Vector3<S>::UnitX(), S(-2)};
@@ -420,8 +421,8 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
       axis = {whole<S>(random, 3), whole<S>(random, 3)};
       radius = S(random.integer(0, 1));
     } else {
-      sphere = {place<S>(random, 4), static_cast<S>(random.uniform(0, 1))};
-      axis = {place<S>(random, 2), place<S>(random, 2)};
+      sphere = {in_box<S>(random, 4), static_cast<S>(random.uniform(0, 1))};
+      axis = {in_box<S>(random, 2), in_box<S>(random, 2)};
       radius = static_cast<S>(random.uniform(0, 1));
       way = (axis.start + (axis.end - axis.start) * static_cast<S>(random.uniform(-0.5, 1.5)) -
              sphere.centre) *
@@ -429,7 +430,7 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
       if (i % 3 == 2) {
         // Along the side, or past an end, to within a few ulps of the sum of the radii.
         const Vector3<S> side =
-            way.cross(i % 2 == 0 ? Vector3<S>(axis.end - axis.start) : place<S>(random, 1));
+            way.cross(i % 2 == 0 ? Vector3<S>(axis.end - axis.start) : in_box<S>(random, 1));
         if (side != Vector3<S>::Zero())
           sphere.centre += contact::normalised(side) * nudged(random, S(sphere.radius + radius), 2);
       }

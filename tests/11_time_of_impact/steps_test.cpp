@@ -182,10 +182,10 @@ TEST_CASE("no point moves further than the bound, with rotation and acceleration
   double nearest = 0;
   for (int i = 0; i < generators::tried(2000); ++i) {
     const double h = random.uniform(0.001, 0.05);
-    const V v = boxes::place(random, 5);
-    const V acceleration = boxes::place(random, 10);
-    const V angular_velocity_a = boxes::place(random, 8);
-    const V angular_velocity_b = boxes::place(random, 8);
+    const V v = boxes::in_box(random, 5);
+    const V acceleration = boxes::in_box(random, 10);
+    const V angular_velocity_a = boxes::in_box(random, 8);
+    const V angular_velocity_b = boxes::in_box(random, 8);
     const double ra = random.uniform(0.1, 1);
     const double rb = random.uniform(0.1, 1);
     const auto a = contact::mover(0.0, ra, angular_velocity_a.norm() * (1 + 0x1p-50));
@@ -194,8 +194,8 @@ TEST_CASE("no point moves further than the bound, with rotation and acceleration
                                                         acceleration.norm() * (1 + 0x1p-50), h);
     const double bound = contact::relative_displacement(a, b, centres, h);
     // The centre of a relative to b, and a point of a at its rim, in the frame that rotates with b.
-    const V x0 = contact::normalised(boxes::place(random, 1)) * ((ra + rb) * random.uniform());
-    const V p0 = contact::normalised(boxes::place(random, 1)) * ra;
+    const V x0 = contact::normalised(boxes::in_box(random, 1)) * ((ra + rb) * random.uniform());
+    const V p0 = contact::normalised(boxes::in_box(random, 1)) * ra;
     const auto in_b = [&](const V& x, double t) {
       return V(
           contact::matrix_of(contact::exponential<double>(angular_velocity_b * t)).transpose() * x);
@@ -301,11 +301,11 @@ TEST_CASE(
   for (int i = 0; i < generators::tried(160); ++i) {
     std::array<contact::RotatingBox<double>, 2> box;
     for (auto& each : box) {
-      each.half_lengths = boxes::place(random, 0.6).cwiseAbs() + V::Constant(0.1);
-      each.position = boxes::place(random, 2.5);
-      each.orientation = contact::normalised(contact::exponential<double>(boxes::place(random, 3)));
-      each.velocity = boxes::place(random, 3);
-      if (i % 2 == 0) each.angular_velocity = boxes::place(random, 6);
+      each.half_lengths = boxes::in_box(random, 0.6).cwiseAbs() + V::Constant(0.1);
+      each.position = boxes::in_box(random, 2.5);
+      each.orientation = contact::normalised(contact::exponential<double>(boxes::in_box(random, 3)));
+      each.velocity = boxes::in_box(random, 3);
+      if (i % 2 == 0) each.angular_velocity = boxes::in_box(random, 6);
     }
     auto& [a, b] = box;
     if (random.chance(0.6)) a.velocity = b.velocity + (b.position - a.position) * 1.5;
@@ -350,9 +350,9 @@ TEST_CASE("the bound on the approach speed holds for any two points") {
     std::array<contact::RotatingBox<double>, 2> box;
     std::array<V, 2> velocity;
     for (std::size_t k = 0; k < 2; ++k) {
-      box[k].half_lengths = boxes::place(random, 1).cwiseAbs() + V::Constant(0.1);
-      box[k].velocity = boxes::place(random, 3);
-      box[k].angular_velocity = boxes::place(random, 3);
+      box[k].half_lengths = boxes::in_box(random, 1).cwiseAbs() + V::Constant(0.1);
+      box[k].velocity = boxes::in_box(random, 3);
+      box[k].angular_velocity = boxes::in_box(random, 3);
       const V corner = box[k].half_lengths.cwiseProduct(
           V(random.chance(0.5) ? 1 : -1, random.chance(0.5) ? 1 : -1, random.chance(0.5) ? 1 : -1));
       velocity[k] = box[k].velocity + box[k].angular_velocity.cross(corner);

@@ -149,11 +149,11 @@ KEY("time-of-the-touch") {
 
 KEY("predict-the-cushion") {
   table::Input state{{0.25, 0.4}, {0.9, 0.65}, {1.25, 1.3}, {0.9, 0.2}, {1.2, 0.9}, 0, 1, 0, 1};
-  const Vector place = table::compute(state).b_at_cushion;
+  const Vector position = table::compute(state).b_at_cushion;
   state.show = 0;
-  state.guess = place + Vector(0.05, 0);
+  state.guess = position + Vector(0.05, 0);
   const double winning = table::compute(state).guessed_unseen;
-  state.guess = place + Vector(0, 0.2);
+  state.guess = position + Vector(0, 0.2);
   return questions::Construct{winning, table::compute(state).guessed_unseen};
 }
 

@@ -63,10 +63,10 @@ struct Setting {
 /// it is still in contact after ten times as long as the fall takes.
 inline Answer in_steps(const Input& input, const Setting& setting) {
   const Spring& spring = input.springs[setting.depth];
-  const auto most_steps = static_cast<int>(10 * input.speed() / input.gravity / setting.step);
+  const auto max_steps = static_cast<int>(10 * input.speed() / input.gravity / setting.step);
   contact::PenaltyState<double> state{-input.height, 0};
   bool rises = false;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     state = contact::penalty_step(setting.scheme, state, spring, input.mass, setting.step,
                                   input.gravity);
     if (rises && state.approach >= 0) break;
@@ -90,11 +90,11 @@ inline contact::BouncingBall<double> rigid(const Input& input) {
 
 /// An impulse in fixed steps, until the ball moves down again.
 inline Answer impulse_in_steps(const Input& input, StepRule rule, double step) {
-  const auto most_steps = static_cast<int>(10 * input.speed() / input.gravity / step);
+  const auto max_steps = static_cast<int>(10 * input.speed() / input.gravity / step);
   const auto ball = rigid(input);
   contact::BounceState<double> state{input.height, 0, 0, false};
   double highest = 0;
-  for (int i = 0; i < most_steps && state.bounces < 2; ++i) {
+  for (int i = 0; i < max_steps && state.bounces < 2; ++i) {
     state = contact::bounce_step(state, ball, step, rule);
     if (state.bounces == 1) highest = std::max(highest, state.height);
     if (state.bounces > 0 && !(state.velocity > 0)) break;

@@ -59,10 +59,10 @@ TEST_CASE("roots of the energy of a speed, on both sides") {
     const auto compression = [&](const Rational& y) {
       return Interval(lift(y) - log(lift(1 + y)));
     };
-    const Rational place = oracle::exact(x);
+    const Rational position = oracle::exact(x);
     INFO(s);
-    REQUIRE(compression(place * (1 - room)).low() <= half);
-    REQUIRE(compression(place * (1 + room)).high() >= half);
+    REQUIRE(compression(position * (1 - room)).low() <= half);
+    REQUIRE(compression(position * (1 + room)).high() >= half);
     const Rational other = oracle::exact(q);
     if (other * (1 + room) >= 1) continue;
     const auto expansion = [&](const Rational& y) { return Interval(lift(-y) - log(lift(1 - y))); };

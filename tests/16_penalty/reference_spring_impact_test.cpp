@@ -76,7 +76,7 @@ double any_ratio(Random& random, int i) {
 /// x and ẋ of ẍ = load − ω² x − 2 γ ẋ from x = 0 and ẋ = v, after time t, by their power series in
 /// intervals. For ω t and 2 γ t up to 9 the omitted terms are below 2^-250.
 struct Motion {
-  Interval place;
+  Interval position;
   Interval speed;
 };
 Motion motion(const Rational& square, const Rational& twice_gamma, const Rational& load,
@@ -88,18 +88,18 @@ Motion motion(const Rational& square, const Rational& twice_gamma, const Rationa
   // With s = t' / t: x'' = load t² − a x − b x'.
   Interval earlier = lift(0);
   Interval now = lift(v * t);
-  Interval place = now;
+  Interval position = now;
   Interval speed = now;
   for (int n = 0; n < 130; ++n) {
     Interval next =
         -(a * earlier / lift(Rational((n + 1) * (n + 2)))) - b * now / lift(Rational(n + 2));
     if (n == 0) next = next + lift(load * t * t / 2);
-    place = place + next;
+    position = position + next;
     speed = speed + next * lift(Rational(n + 2));
     earlier = now;
     now = next;
   }
-  return {place, speed / lift(t)};
+  return {position, speed / lift(t)};
 }
 
 double middle(const Interval& x) { return oracle::nearest(Rational((x.low() + x.high()) / 2)); }
@@ -239,7 +239,7 @@ TEMPLATE_TEST_CASE("the formulas of an impact agree with the motion", "", float,
       return motion(square, twice_gamma, 0, oracle::exact(v), oracle::exact(t));
     };
     const auto force = [&](const Motion& x) {
-      return double(k) * middle(x.place) + double(c) * middle(x.speed);
+      return double(k) * middle(x.position) + double(c) * middle(x.speed);
     };
     // A time has an error of some hundred u, a velocity ω v times that, a position v times that.
     const double rate = std::sqrt(double(k) / double(m));
@@ -249,11 +249,11 @@ TEMPLATE_TEST_CASE("the formulas of an impact agree with the motion", "", float,
     const auto free = contact::spring_impact(spring, m, v, ContactRelease::at_zero_force);
     const Motion deepest = at(free.time_of_depth);
     REQUIRE(std::abs(middle(deepest.speed)) <= room * double(v));
-    REQUIRE(std::abs(middle(deepest.place) - double(free.max_depth)) <= room * scale);
+    REQUIRE(std::abs(middle(deepest.position) - double(free.max_depth)) <= room * scale);
     const Motion end = at(free.duration);
     REQUIRE(std::abs(force(end)) <= room * double(m) * double(v) * rate * (1 + 2 * z));
     REQUIRE(std::abs(middle(end.speed) + double(free.restitution * v)) <= room * double(v));
-    REQUIRE(std::abs(middle(end.place) - double(free.left_overlap)) <= room * scale);
+    REQUIRE(std::abs(middle(end.position) - double(free.left_overlap)) <= room * scale);
     // At the greatest penetration the spring holds the fraction e of the kinetic energy before.
     REQUIRE(std::abs(double(k) * double(free.max_depth) * double(free.max_depth) -
                      double(free.restitution) * double(m) * double(v) * double(v)) <=
@@ -264,7 +264,7 @@ TEMPLATE_TEST_CASE("the formulas of an impact agree with the motion", "", float,
       const Motion x = at(S(double(free.duration) * n / 16));
       REQUIRE(force(x) >= -room * double(free.max_force));
       REQUIRE(force(x) <= double(free.max_force) * (1 + room));
-      REQUIRE(middle(x.place) <= double(free.max_depth) * (1 + room));
+      REQUIRE(middle(x.position) <= double(free.max_depth) * (1 + room));
       most = std::max(most, force(x));
     }
     // Between two samples a sine exceeds the larger one by at most 1 − cos(π/32) of its amplitude.
@@ -281,7 +281,7 @@ TEMPLATE_TEST_CASE("the formulas of an impact agree with the motion", "", float,
     }
     ++soft;
     const Motion out = at(glued.duration);
-    REQUIRE(std::abs(middle(out.place)) <= 4 * room * scale);
+    REQUIRE(std::abs(middle(out.position)) <= 4 * room * scale);
     REQUIRE(std::abs(middle(out.speed) + double(glued.restitution * v)) <= 4 * room * double(v));
     REQUIRE(force(out) <= room * double(free.max_force));  // then it pulls, or is 0
     // The velocities afterwards are those of an impulse with this restitution.
@@ -408,7 +408,7 @@ TEMPLATE_TEST_CASE("a jump on a trampoline", "", float, double) {
     const Motion out = motion(oracle::exact(k) / oracle::exact(m), 0, oracle::exact(g),
                               oracle::exact(v), oracle::exact(jump.contact_time));
     const double rate = std::sqrt(double(k) / double(m));
-    REQUIRE(std::abs(middle(out.place)) <=
+    REQUIRE(std::abs(middle(out.position)) <=
             8 * room * (v + double(g) / rate) * double(jump.contact_time));
     REQUIRE(std::abs(middle(out.speed) + v) <=
             8 * room * (v * rate + double(g)) * double(jump.contact_time));

@@ -301,7 +301,7 @@ TEST_CASE("the figure's rows of balls keep momentum, and energy without loss") {
     in.time = 1.8;
     const auto out = cradle::compute(in);
     double one = 0, once = 0;
-    for (std::size_t k = 0; k < cradle::most_balls; ++k) {
+    for (std::size_t k = 0; k < cradle::max_balls; ++k) {
       one += out.one_after[k];
       once += out.once_after[k];
     }

@@ -184,7 +184,7 @@ void check_iteration(const State& before, const Contacts& contacts) {
   suspect("whole-sum-applied-again", Way::sum_applied);
   suspect("sums-forgotten", Way::forgets);
   suspect("least-velocity-left-out", Way::no_least);
-  suspect("least-velocity-with-the-wrong-sign", Way::least_added);
+  suspect("least-velocity-with-the-wrong-sign", Way::min_added);
   suspect("second-body-not-pushed", Way::pushes_a_alone);
   suspect("both-bodies-pushed-alike", Way::same_direction);
   suspect("impulse-does-not-rotate", Way::no_turn);

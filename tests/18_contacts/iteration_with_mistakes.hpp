@@ -38,7 +38,7 @@ enum class Way {
   sum_applied,         ///< the bodies get the whole sum again
   forgets,             ///< the old sums are left out
   no_least,            ///< the least velocity is left out
-  least_added,         ///< the least velocity has the wrong sign
+  min_added,           ///< the least velocity has the wrong sign
   pushes_a_alone,      ///< b gets no impulse
   same_direction,      ///< both bodies get the same impulse
   no_turn,             ///< the impulses do not change angular velocities
@@ -100,8 +100,8 @@ inline State after_iteration(const State& before, const std::vector<Contact>& co
     const auto second = static_cast<std::size_t>(contact.b);
     const State& seen = way == Way::jacobi ? before : now;
     double velocity = normal_velocity(seen.bodies[first], seen.bodies[second], contact, way);
-    if (way == Way::least_added) velocity += contact.min_velocity;
-    if (way != Way::no_least && way != Way::least_added) velocity -= contact.min_velocity;
+    if (way == Way::min_added) velocity += contact.min_velocity;
+    if (way != Way::no_least && way != Way::min_added) velocity -= contact.min_velocity;
     if (way == Way::ends_at_separation && velocity > 0) return now;
     const double k_n = inverse_effective_mass(now.bodies[first], now.bodies[second], contact, way);
     const double needed = way == Way::multiplied ? -velocity * k_n : -velocity / k_n;

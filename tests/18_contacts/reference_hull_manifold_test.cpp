@@ -92,7 +92,7 @@ bool same(const ContactManifold<S>& one, const ContactManifold<S>& other) {
   return true;
 }
 
-double least_distance(const ContactManifold<double>& manifold) {
+double min_distance(const ContactManifold<double>& manifold) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& p : manifold.points) least = std::min(least, p.distance);
   return least;
@@ -189,8 +189,8 @@ TEST_CASE("bodies have a point exactly if they are within the margin, and all po
     for (const auto& p : manifold.points) CHECK(p.distance <= margin);
     ++counts[std::min<std::size_t>(manifold.points.size(), 3)];
     if (manifold.points.empty()) continue;
-    CHECK(least_distance(manifold) >= distance - 0x1p-10 * d.core - 1e-9 * d.size);
-    CHECK(least_distance(manifold) <= distance + 0x1p-10 * d.core + 1e-9 * d.size);
+    CHECK(min_distance(manifold) >= distance - 0x1p-10 * d.core - 1e-9 * d.size);
+    CHECK(min_distance(manifold) <= distance + 0x1p-10 * d.core + 1e-9 * d.size);
   }
   for (const int count : counts) CHECK(count > tried(100));
 }
@@ -222,7 +222,7 @@ TEST_CASE("moving a body by the least distance along the normal makes the two to
       continue;
     const auto manifold = manifold_of(d.pair.a, d.pair.b, 0.01 * d.core);
     if (manifold.points.empty()) continue;
-    const Body apart = pair_bodies::moved(d.pair.a, V(manifold.normal * -least_distance(manifold)));
+    const Body apart = pair_bodies::moved(d.pair.a, V(manifold.normal * -min_distance(manifold)));
     CHECK(std::abs(distance_of(apart, d.pair.b)) <= 0x1p-9 * d.core + 1e-9 * d.size);
     ++moves;
   }

@@ -144,9 +144,9 @@ TEST_CASE("random rooms agree with mirror images") {
       walls.push_back({-normal, -size(i)});
       // The position on a straight line, folded back at the mirrors.
       const double length = size(i) - 2 * radius;
-      const double place = ball.centre(i) - radius + ball.velocity(i) * step;
-      const double turns = std::floor(place / length);
-      const double rest = place - turns * length;
+      const double position = ball.centre(i) - radius + ball.velocity(i) * step;
+      const double turns = std::floor(position / length);
+      const double rest = position - turns * length;
       const bool odd = std::fmod(std::abs(turns), 2) == 1;
       right.centre(i) = radius + (odd ? length - rest : rest);
       right.velocity(i) = odd ? -ball.velocity(i) : ball.velocity(i);

@@ -96,7 +96,7 @@ FORMS = {
     if name not in ORDINARY
     for form in forms(name)
 }
-MOST_WORDS = max(form.count(" ") + 1 for form in FORMS)
+MAX_WORDS = max(form.count(" ") + 1 for form in FORMS)
 
 
 class Use(NamedTuple):
@@ -110,7 +110,7 @@ def uses_in(text: str) -> Iterator[Use]:
     said = re.findall(r"[\w'-]+|[^\w\s]", text.replace("’", "'").replace("–", "-"))
     place = 0
     while place < len(said):
-        for count in range(MOST_WORDS, 0, -1):
+        for count in range(MAX_WORDS, 0, -1):
             words = " ".join(said[place : place + count])
             entry = FORMS.get(words) or FORMS.get(words.lower())
             if entry:

@@ -65,7 +65,7 @@ def exercises(ids: tuple[str, ...] = FEW) -> list[Json]:
 
 
 @functools.cache
-def verdicts(ids: tuple[str, ...] = FEW, most_wrong: int = 3) -> dict[str, dict[str, Json]]:
+def verdicts(ids: tuple[str, ...] = FEW, max_wrong: int = 3) -> dict[str, dict[str, Json]]:
     """By exercise and kind of answer, what `contact check --json` says."""
     with TemporaryDirectory() as folder:
         files: dict[str, tuple[str, str]] = {}
@@ -77,7 +77,7 @@ def verdicts(ids: tuple[str, ...] = FEW, most_wrong: int = 3) -> dict[str, dict[
                 "stub": (ROOT / "exercises" / id_ / f"{name}.cpp").read_text(),
             }
             wrong = wrong_answers(id_)
-            texts |= {f"wrong {file.stem}": file.read_text() for file in wrong[:most_wrong]}
+            texts |= {f"wrong {file.stem}": file.read_text() for file in wrong[:max_wrong]}
             texts |= {f"broken {kind}": spoil(solution) for kind, spoil in SPOILERS}
             for kind, text in texts.items():
                 file = Path(folder) / kind.replace(" ", "-") / id_.split("/")[0] / f"{name}.cpp"
@@ -208,7 +208,7 @@ def main() -> int:
     )
     listed = exercises(ids)
     folder.mkdir(parents=True, exist_ok=True)
-    whole = made_up_class(listed, verdicts(ids, most_wrong=20))
+    whole = made_up_class(listed, verdicts(ids, max_wrong=20))
     (folder / "results.json").write_text(json.dumps(whole, indent=1))
     return 0
 

@@ -22,7 +22,7 @@ ROOT = HERE.parents[1]
 sys.path[:0] = [str(HERE), str(ROOT / "grading"), str(ROOT / "grading" / "book")]
 
 from reports.autograder import main as pack  # noqa: E402
-from reports.autograder_run import MOST_FILES, _take  # noqa: E402
+from reports.autograder_run import MAX_FILES, _take  # noqa: E402
 from wrong_answers import wrong_answer  # noqa: E402
 
 Json = dict[str, Any]
@@ -312,9 +312,9 @@ def test_one_archive_is_handed_on_as_it_is(tmp_path: Path) -> None:
 def test_a_flood_of_files_is_cut_where_it_is_refused_anyway(tmp_path: Path) -> None:
     submission = tmp_path / "submission"
     submission.mkdir()
-    for number in range(MOST_FILES + 200):
+    for number in range(MAX_FILES + 200):
         (submission / f"f{number}").touch()
     taken = tmp_path / "taken"
     taken.mkdir()
     _take(submission, taken)
-    assert len(list((taken / "submission").iterdir())) == MOST_FILES
+    assert len(list((taken / "submission").iterdir())) == MAX_FILES

@@ -18,11 +18,11 @@ sys.path[:0] = [str(HERE), str(ROOT / "grading")]
 import outputs_class as made  # noqa: E402
 
 
-def reports(folder: Path, most_bytes: int, *words: str) -> subprocess.CompletedProcess[str]:
+def reports(folder: Path, max_bytes: int, *words: str) -> subprocess.CompletedProcess[str]:
     """Under a limit a write ends as on a full disk: with a reason, and no name."""
 
     def limit() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (most_bytes, most_bytes))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (max_bytes, max_bytes))
 
     return subprocess.run(
         [sys.executable, "-m", "reports", str(folder), *words],

@@ -23,7 +23,7 @@ import outputs_class as made  # noqa: E402
 from reports.__main__ import main  # noqa: E402
 from reports.folders import folder_name  # noqa: E402
 from reports.gradebook import defused  # noqa: E402
-from reports.text import MOST_CHARACTERS, clean, clean_line, visible  # noqa: E402
+from reports.text import MAX_CHARACTERS, clean, clean_line, visible  # noqa: E402
 
 Json = dict[str, Any]
 
@@ -268,7 +268,7 @@ def test_what_cannot_be_seen_is_made_visible(text: str, shown: str) -> None:
 def test_what_is_too_long_is_cut_and_says_so() -> None:
     assert clean("x" * 100) == "x" * 100
     shown = clean(LONG_LINE)
-    assert len(shown) < MOST_CHARACTERS
+    assert len(shown) < MAX_CHARACTERS
     assert "[…]" in shown
     assert "1000000 characters in all" in shown
     lines = clean("line\n" * 5000)

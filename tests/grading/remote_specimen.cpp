@@ -13,7 +13,7 @@ namespace {
 
 using namespace contact::remote;
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
 
 bool read_all(void* data, std::size_t size) {
   for (auto* at = static_cast<char*>(data); size > 0;) {
@@ -93,7 +93,7 @@ int main(int, char* argv[]) {
       }
     }
     if (how == "announces 64 MB") {
-      header.length = kMostBytes;
+      header.length = kMaxBytes;
       write_all(&header, sizeof header);
       return 0;
     }

@@ -272,9 +272,9 @@ class Ladder : public Experiment {
   std::optional<Failure> failure(std::size_t method, bool by_error) const override {
     std::optional<Failure> found;
     if (!show_) return found;
-    constexpr int most_tries = 200;
+    constexpr int max_tries = 200;
     int tries = 0;
-    for (std::size_t i = 0; i < answers_.size() && tries < most_tries; ++i) {
+    for (std::size_t i = 0; i < answers_.size() && tries < max_tries; ++i) {
       const Verdict verdict = judge_(answers_[i], truths_[i]);
       if (by_error) {
         if (!(verdict.error > (found ? found->verdict.error : 0))) continue;

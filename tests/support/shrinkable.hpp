@@ -19,7 +19,7 @@ namespace contact::testing {
 namespace shrinking {
 
 /// How often a check is asked for simpler inputs, at most.
-inline constexpr int kMostProbes = 1500;
+inline constexpr int kMaxProbes = 1500;
 
 /// Replaces parts of an input by simpler values, one after the other, and keeps those with which
 /// `fails` still holds.
@@ -177,7 +177,7 @@ void shrinkable(const Check& check, const Judged& judged, const Inputs&... input
   std::tuple<Inputs...> smallest(inputs...);
   int probes = 0;
   const auto fails = [&] {
-    if (++probes > shrinking::kMostProbes || !std::apply(judged, std::as_const(smallest)))
+    if (++probes > shrinking::kMaxProbes || !std::apply(judged, std::as_const(smallest)))
       return false;
     std::optional<Failure> found = detail::probe([&] { std::apply(check, smallest); });
     if (!found || found->asked != first->asked || found->stopped != first->stopped ||
@@ -188,7 +188,7 @@ void shrinkable(const Check& check, const Judged& judged, const Inputs&... input
   };
   shrinking::Shrinker shrinker(fails);
   bool simpler = true;
-  while (simpler && probes < shrinking::kMostProbes) {
+  while (simpler && probes < shrinking::kMaxProbes) {
     simpler = false;
     std::apply([&](auto&... part) { ((simpler |= shrinker.simplify(part)), ...); }, smallest);
   }

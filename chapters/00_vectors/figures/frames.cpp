@@ -12,7 +12,7 @@ struct Input {
 struct Output {
   double problem;
   contact::Vector2<double> x_axis, y_axis;  // of the wagon, in the world
-  contact::Vector2<double> as_place;        // the point in the wagon's frame
+  contact::Vector2<double> as_position;     // the point in the wagon's frame
   contact::Vector2<double> as_direction;    // the same two numbers as a velocity, in its frame
   contact::Vector2<double> corner;          // as far ahead as the point, in the world
   double ahead_and_left;                    // goal of a question: 2 ahead, 1 to the left
@@ -39,11 +39,12 @@ Output compute(const Input& in) {
 
   out.x_axis = wagon.axes.col(0).head<2>();
   out.y_axis = wagon.axes.col(1).head<2>();
-  out.as_place = contact::position_in_frame(wagon, flat(in.point)).head<2>();
+  out.as_position = contact::position_in_frame(wagon, flat(in.point)).head<2>();
   out.as_direction = contact::direction_in_frame(wagon, flat(in.point)).head<2>();
-  out.corner = contact::position_in_world(wagon, Vector3<double>(out.as_place.x(), 0, 0)).head<2>();
+  out.corner =
+      contact::position_in_world(wagon, Vector3<double>(out.as_position.x(), 0, 0)).head<2>();
   out.ahead_and_left =
-      (out.as_place - contact::Vector2<double>(2, 1)).cwiseAbs().maxCoeff() <= 0.1 &&
+      (out.as_position - contact::Vector2<double>(2, 1)).cwiseAbs().maxCoeff() <= 0.1 &&
               std::abs(out.y_axis.x()) >= 0.25
           ? 1
           : 0;
@@ -51,4 +52,4 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(origin, forward, point), Output,
-       FIELDS(problem, x_axis, y_axis, as_place, as_direction, corner, ahead_and_left))
+       FIELDS(problem, x_axis, y_axis, as_position, as_direction, corner, ahead_and_left))

@@ -11,7 +11,7 @@ interface Input {
 interface Output {
   x_axis: Vec2;
   y_axis: Vec2;
-  as_place: Vec2;
+  as_position: Vec2;
   as_direction: Vec2;
   corner: Vec2;
 }
@@ -83,7 +83,7 @@ export default defineFigure<Input, Output>({
   },
   values: (input, output) => [
     { name: "p", meaning: "in the world", value: input.point, unit: "m", role: "hit" },
-    { name: "p′", meaning: "in the wagon", value: output.as_place, unit: "m", role: "hit" },
+    { name: "p′", meaning: "in the wagon", value: output.as_position, unit: "m", role: "hit" },
     {
       name: "v′",
       meaning: "the same world coordinates, as a velocity",
@@ -92,7 +92,7 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(_input, output) {
-    const [ahead, left] = output.as_place;
+    const [ahead, left] = output.as_position;
     const x = `${pretty(Math.abs(ahead), 2)} m ${ahead < 0 ? "behind" : "ahead of"} the wagon’s origin`;
     const y = `${pretty(Math.abs(left), 2)} m to its ${left < 0 ? "right" : "left"}`;
     return `The point is ${x} and ${y}.`;

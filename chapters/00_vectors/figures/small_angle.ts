@@ -111,7 +111,7 @@ export default defineFigure<Input, Output>({
     scene.label(output.v, output.shared ? "v, stored as u" : "v", { role: "b", offset: [-4, -12] });
     scene.line(at(output.k, 1e-17), at(output.k, 1), { role: "muted", width: 1, dashed: true });
     // Of each label: at which k it is on its curve, and its offset from it.
-    const places: readonly (readonly [number, number, number])[] = input.turned
+    const positions: readonly (readonly [number, number, number])[] = input.turned
       ? [
           [4, 0, -8],
           [11, 8, 0],
@@ -127,8 +127,8 @@ export default defineFigure<Input, Output>({
     for (const type of [0, 1] as const) {
       const name = type ? "double" : "float";
       for (const [errors, role, way, [label, ...offset], anchor] of [
-        [output.cosine_curve, "miss", "arccos", places[type] ?? NOWHERE, type ? "start" : "middle"],
-        [output.both_curve, "hit", "both", places[2 + type] ?? NOWHERE, type ? "middle" : "start"],
+        [output.cosine_curve, "miss", "arccos", positions[type] ?? NOWHERE, type ? "start" : "middle"],
+        [output.both_curve, "hit", "both", positions[2 + type] ?? NOWHERE, type ? "middle" : "start"],
       ] as const) {
         const curve: Vec2[] = [];
         for (let k = 0; k < STEPS; k++) {

@@ -112,51 +112,51 @@ export default defineFigure<Input, Output>({
       { role: "muted", fill: 0.05 },
     );
     scene.line([MIDDLE - HALF, GLASS], [MIDDLE + HALF, GLASS], { role: "ink", width: 1.5 });
-    const place = (ulps: number): number => MIDDLE + ULP * ulps;
+    const position = (ulps: number): number => MIDDLE + ULP * ulps;
     const inside = (ulps: number): boolean => Math.abs(ULP * ulps) < HALF - 0.05;
     for (const ulps of output.neighbour_at) {
       if (!inside(ulps)) continue;
-      scene.line([place(ulps), GLASS - 0.16], [place(ulps), GLASS + 0.16], {
+      scene.line([position(ulps), GLASS - 0.16], [position(ulps), GLASS + 0.16], {
         role: "ink",
         width: 2,
       });
     }
     const found: Role = output.equal ? "hit" : "miss";
     // Exact values are above the line, stored ones on it.
-    scene.line([place(output.decimal_at), GLASS], [place(output.decimal_at), GLASS + 0.75], {
+    scene.line([position(output.decimal_at), GLASS], [position(output.decimal_at), GLASS + 0.75], {
       role: "normal",
       width: 1.5,
     });
-    scene.dot([place(output.decimal_at), GLASS + 0.75], "normal", 5, true);
+    scene.dot([position(output.decimal_at), GLASS + 0.75], "normal", 5, true);
     const left = output.decimal_at <= output.exact_at;
-    scene.label([place(output.decimal_at), GLASS + 0.75], `(a + b)/10`, {
+    scene.label([position(output.decimal_at), GLASS + 0.75], `(a + b)/10`, {
       role: "normal",
       offset: [left ? -10 : 10, 4],
       anchor: left ? "end" : "start",
       size: "small",
     });
-    scene.line([place(output.exact_at), GLASS], [place(output.exact_at), GLASS + 0.4], {
+    scene.line([position(output.exact_at), GLASS], [position(output.exact_at), GLASS + 0.4], {
       role: "ray",
       width: 1.5,
       dashed: true,
     });
-    scene.dot([place(output.exact_at), GLASS + 0.4], "ray", 5);
-    scene.label([place(output.exact_at), GLASS + 0.4], "stored a + stored b", {
+    scene.dot([position(output.exact_at), GLASS + 0.4], "ray", 5);
+    scene.label([position(output.exact_at), GLASS + 0.4], "stored a + stored b", {
       role: "ray",
       offset: [left ? 10 : -10, 4],
       anchor: left ? "start" : "end",
       size: "small",
     });
-    scene.dot([place(0), GLASS], found, 6);
-    scene.label([place(0), GLASS], "computed sum", {
+    scene.dot([position(0), GLASS], found, 6);
+    scene.label([position(0), GLASS], "computed sum", {
       role: found,
       offset: [0, 30],
       anchor: "middle",
       size: "small",
     });
     if (!output.equal && inside(output.nearest_at)) {
-      scene.dot([place(output.nearest_at), GLASS], "normal", 6, true);
-      scene.label([place(output.nearest_at), GLASS], "nearest to (a + b)/10", {
+      scene.dot([position(output.nearest_at), GLASS], "normal", 6, true);
+      scene.label([position(output.nearest_at), GLASS], "nearest to (a + b)/10", {
         role: "normal",
         offset: [0, 50],
         anchor: "middle",

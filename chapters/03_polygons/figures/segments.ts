@@ -111,12 +111,12 @@ export default defineFigure<Input, Output>({
     for (const [i, name] of TEXTBOOK.entries()) {
       const wrong = output.wrong[i] === 1;
       const role: Role = wrong ? "miss" : "muted";
-      const place = output.found[i] ? at(output.found_at, i) : common;
-      if (output.found[i]) scene.dot(place, role, 9 + 3 * i, true);
+      const position = output.found[i] ? at(output.found_at, i) : common;
+      if (output.found[i]) scene.dot(position, role, 9 + 3 * i, true);
       const words = output.found[i]
         ? `${name}: ${i ? MEETING[output.by_parameters] : "they meet"}`
         : `not by ${name}`;
-      if (wrong) scene.label(place, words, { role, size: "small", ...beside(place, line++) });
+      if (wrong) scene.label(position, words, { role, size: "small", ...beside(position, line++) });
     }
     if (meeting === 3)
       scene.line(output.overlap_start, output.overlap_end, { role: "hit", width: 7 });

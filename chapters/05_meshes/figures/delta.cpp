@@ -24,7 +24,7 @@ struct Input {
   double substeps;   // 1 to 16: as many chords
 };
 
-constexpr std::size_t corners = 6, path_points = 97, most_substeps = 16;
+constexpr std::size_t corners = 6, path_points = 97, max_substeps = 16;
 
 struct Output {
   double problem;
@@ -36,11 +36,11 @@ struct Output {
   std::array<Point, corners> outline;
   std::array<Point, path_points> path;
   Point path_now;
-  std::array<Point, most_substeps + 1> chords;  // their ends
-  double used;                                  // how many chords
-  double bound;                                 // of the distance of path and chords, m
-  double deviation;                             // measured between points of the path, m
-  double path_hit, path_s;                      // by 512 chords; s is the fraction of the step
+  std::array<Point, max_substeps + 1> chords;  // their ends
+  double used;                                 // how many chords
+  double bound;                                // of the distance of path and chords, m
+  double deviation;                            // measured between points of the path, m
+  double path_hit, path_s;                     // by 512 chords; s is the fraction of the step
   Point path_at;
   double chord_hit, chord_s;
   Point chord_at;
@@ -107,7 +107,7 @@ Output compute(const Input& in) {
   const auto pose0 = motion.start, pose1 = contact::frame_at(motion, 1.0);
   const contact::Segment<double> path{space(in.a), space(in.b)};
   const double time = std::clamp(in.time, 0.0, 1.0);
-  const int substeps = static_cast<int>(std::clamp(in.substeps, 1.0, double(most_substeps)));
+  const int substeps = static_cast<int>(std::clamp(in.substeps, 1.0, double(max_substeps)));
 
   out.before = placed(pose0);
   out.after = placed(pose1);

@@ -25,24 +25,24 @@ struct Input {
 
 constexpr int around = 48, across = 24;         // vertices around the axis and around the tube
 constexpr int drawn_ring = 24, drawn_tube = 8;  // of these the surface is drawn
-constexpr std::size_t most_boxes = 96, most_triangles = 256, most_hits = 16;
+constexpr std::size_t max_boxes = 96, max_triangles = 256, max_hits = 16;
 
 struct Output {
   double problem;
   std::array<Vector, drawn_ring * drawn_tube> surface;
   double levels;      // the deepest level of the tree
   double boxes_here;  // compared on the chosen level; as many as there is room for are drawn
-  std::array<Vector, most_boxes> box_low, box_high;
-  std::array<double, most_boxes> box_state;  // 0 not met, 1 opened, 2 met, but behind the first hit
+  std::array<Vector, max_boxes> box_low, box_high;
+  std::array<double, max_boxes> box_state;  // 0 not met, 1 opened, 2 met, but behind the first hit
   double boxes, tested;  // compared with the ray, and triangles tested, nearer box first
-  std::array<std::array<Vector, 3>, most_triangles> triangle;
-  std::array<double, most_triangles> triangle_hit;
+  std::array<std::array<Vector, 3>, max_triangles> triangle;
+  std::array<double, max_triangles> triangle_hit;
   double boxes_in_all, triangles_in_all;
   double loop;                        // triangles that the loop tests
   double wide_boxes, wide_triangles;  // compared and tested by MeshTree, four boxes together
   double hits;                        // of the query
-  std::array<Vector, most_hits> at;
-  std::array<double, most_hits> t;
+  std::array<Vector, max_hits> at;
+  std::array<double, max_hits> t;
   double same;     // 1 if MeshTree and the loop return the same hits
   double next_to;  // goal of a question: the ray meets boxes, but no triangle
 };
@@ -140,13 +140,13 @@ void draw(const Walk& walk, const contact::MeshTree<double>& tree, int level, Ou
     if (compared.level != level) continue;
     const auto k = static_cast<std::size_t>(out.boxes_here);
     ++out.boxes_here;
-    if (k >= most_boxes) continue;
+    if (k >= max_boxes) continue;
     const contact::Aabb<double>& box = tree.boxes().nodes[compared.node].box;
     out.box_low[k] = box.low;
     out.box_high[k] = box.high;
     out.box_state[k] = compared.state;
   }
-  for (std::size_t k = 0; k < std::min(most_triangles, walk.tested().size()); ++k) {
+  for (std::size_t k = 0; k < std::min(max_triangles, walk.tested().size()); ++k) {
     const int tested = walk.tested()[k];
     const auto [a, b, c] = contact::triangle_of(tree.mesh(), static_cast<std::size_t>(tested));
     out.triangle[k] = {a, b, c};
@@ -193,7 +193,7 @@ Output compute(const Input& in) {
   out.loop = out.triangles_in_all;
   const auto show = [&out](double t, const Vector& at) {
     const auto k = static_cast<std::size_t>(out.hits);
-    if (k >= most_hits) return;
+    if (k >= max_hits) return;
     ++out.hits;
     out.t[k] = t;
     out.at[k] = at;

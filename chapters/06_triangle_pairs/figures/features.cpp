@@ -25,7 +25,7 @@ struct Input {
   double time;      // drawn, from 0 to 1; the tetrahedron stops at the contact
 };
 
-constexpr std::size_t most_vertices = 8, most_triangles = 12, most_edges = 12, most_points = 24;
+constexpr std::size_t max_vertices = 8, max_triangles = 12, max_edges = 12, max_points = 24;
 constexpr std::size_t moving = 0, resting = 1;
 constexpr double depth = 4;  // by which it would move down until time 1, m
 
@@ -36,10 +36,10 @@ using OfBoth = std::array<std::array<T, n>, 2>;
 struct Output {
   double problem;
   std::array<double, 2> vertices, triangles, edges;
-  std::array<Vector, 4> start;           // vertices of the moving body at the start
-  OfBoth<Vector, most_vertices> vertex;  // at the time that is drawn
-  OfBoth<std::array<double, 3>, most_triangles> triangle;
-  OfBoth<std::array<double, 2>, most_edges> edge;
+  std::array<Vector, 4> start;          // vertices of the moving body at the start
+  OfBoth<Vector, max_vertices> vertex;  // at the time that is drawn
+  OfBoth<std::array<double, 3>, max_triangles> triangle;
+  OfBoth<std::array<double, 2>, max_edges> edge;
   double apart;                  // 1 if the bodies are apart at the start
   double touches;                // 1 if they touch until time 1
   double t;                      // of the first contact
@@ -47,11 +47,11 @@ struct Output {
   std::array<double, 6> kinds;   // contacts: p2p, p2e, p2f, e2e, e2f, f2f
   double point_face, edge_edge;  // pairs of a vertex and a closed face, and of two closed edges
   // 1 for a feature that touches.
-  OfBoth<double, most_vertices> vertex_touches;
-  OfBoth<double, most_edges> edge_touches;
-  OfBoth<double, most_triangles> face_touches;
+  OfBoth<double, max_vertices> vertex_touches;
+  OfBoth<double, max_edges> edge_touches;
+  OfBoth<double, max_triangles> face_touches;
   double points;  // of the contacts that are a single point
-  std::array<Vector, most_points> point;
+  std::array<Vector, max_points> point;
   double edge_edge_only;  // for a question
 };
 
@@ -154,7 +154,7 @@ void list_contact(const contact::FirstContact& found, const Mesh& moved, const M
     mark(contact.of_moving, moved, moving, out);
     mark(contact.of_resting, rest, resting, out);
     const auto k = static_cast<std::size_t>(out.points);
-    if (contact.kind > contact::ContactKind::edge_edge || k == most_points) continue;
+    if (contact.kind > contact::ContactKind::edge_edge || k == max_points) continue;
     out.point[k] = contact.position;
     ++out.points;
   }

@@ -24,8 +24,8 @@ struct Input {
 };
 
 constexpr int methods = 6;  // steps, intervals, edges, axes, orientations, exact
-constexpr int most_ulps = 12;
-constexpr std::size_t shifts = 2 * most_ulps + 1;
+constexpr int max_ulps = 12;
+constexpr std::size_t shifts = 2 * max_ulps + 1;
 
 struct Output {
   double problem;
@@ -127,7 +127,7 @@ template <class S>
 void ask_near(const contact::Triangle<S>& t1, const contact::Triangle<S>& t2, Output& out) {
   const S step = ulp(t1, t2);
   for (std::size_t k = 0; k < shifts; ++k) {
-    const contact::Vector3<S> by(0, S(static_cast<int>(k) - most_ulps) * step, 0);
+    const contact::Vector3<S> by(0, S(static_cast<int>(k) - max_ulps) * step, 0);
     const contact::Triangle<S> moved{t1.a + by, t1.b + by, t1.c + by};
     const Said said = ask_all<S>(moved, t2);
     for (std::size_t m = 0; m < methods; ++m) {

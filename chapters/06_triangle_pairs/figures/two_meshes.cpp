@@ -22,24 +22,24 @@ struct Input {
   double meshes;  // 0 tori, 1 crossing boxes, 2 a box on a box, 3 a ball and a star
 };
 
-constexpr std::size_t most_vertices = 160, most_triangles = 300, most_segments = 1024,
-                      most_contacts = 512;
+constexpr std::size_t max_vertices = 160, max_triangles = 300, max_segments = 1024,
+                      max_contacts = 512;
 
 struct Output {
   double problem;
   // Both meshes: the resting one, and the moving one where it is now.
   std::array<double, 2> triangles;
-  std::array<std::array<Vector, most_vertices>, 2> vertex;
-  std::array<std::array<std::array<double, 3>, most_triangles>, 2> triangle;
+  std::array<std::array<Vector, max_vertices>, 2> vertex;
+  std::array<std::array<std::array<double, 3>, max_triangles>, 2> triangle;
   double pairs;          // each with each
   double boxes, tested;  // by two trees: pairs of boxes, pairs of triangles
   double meet;           // pairs of triangles that meet
   double in_one_plane;   // pairs that have an area in common
   double segments;       // of the curve, and borders of areas; drawn as there is room
-  std::array<std::array<Vector, 2>, most_segments> segment;
+  std::array<std::array<Vector, 2>, max_segments> segment;
   double points;    // of all pairs, each pair's counted
   double contacts;  // each once
-  std::array<Vector, most_contacts> contact;
+  std::array<Vector, max_contacts> contact;
   // Contacts by kind: point on point, point on edge, point on face, edge on edge, edge on face,
   // face on face.
   std::array<double, 6> of_kind;
@@ -165,7 +165,7 @@ void draw_pair(const contact::TriangleIntersection<double>& common, Output& out)
   const int sides = common.count > 2 ? common.count : common.count - 1;
   for (int i = 0; i < sides; ++i) {
     const auto k = static_cast<std::size_t>(out.segments++);
-    if (k >= most_segments) continue;
+    if (k >= max_segments) continue;
     out.segment[k] = {common.points[std::size_t(i)].position,
                       common.points[std::size_t((i + 1) % common.count)].position};
   }
@@ -212,7 +212,7 @@ Output compute(const Input& in) {
   }
   for (const auto& contact : contact::mesh_contacts(shown.resting, tree)) {
     const auto k = static_cast<std::size_t>(out.contacts++);
-    if (k < most_contacts) out.contact[k] = contact.position;
+    if (k < max_contacts) out.contact[k] = contact.position;
     ++out.of_kind[static_cast<std::size_t>(contact.kind())];
   }
   return out;

@@ -33,13 +33,13 @@ using box_search_detail::Search;
 /// are extreme in some directions.
 inline constexpr std::size_t all_vertices = 256;
 /// Hulls with at most this many vertices are searched as they are at the end.
-inline constexpr std::size_t most_vertices = 4096;
+inline constexpr std::size_t max_vertices = 4096;
 /// As many faces are tried, the largest first.
-inline constexpr std::size_t most_faces = 512;
+inline constexpr std::size_t max_faces = 512;
 /// All pairs of edges are tried if there are at most this many edges.
-inline constexpr std::size_t most_edges = 24;
+inline constexpr std::size_t max_edges = 24;
 /// As many candidates are improved: more of small hulls, where that costs little.
-inline constexpr std::size_t most_starts = 10, most_starts_of_small = 30, small = 32;
+inline constexpr std::size_t max_starts = 10, max_starts_of_small = 30, small = 32;
 
 /// Directions of integers up to `most`, one of each pair of opposite ones.
 inline std::vector<Point> whole_directions(int most) {
@@ -135,10 +135,10 @@ inline std::vector<Point> edges(const Hull& hull, const std::vector<Point>& poin
 inline std::vector<Candidate> starts(Search& search, const Hull& hull,
                                      const std::vector<Point>& points) {
   std::vector<Candidate> found;
-  for (const Point& normal : face_normals(hull, points, most_faces)) {
+  for (const Point& normal : face_normals(hull, points, max_faces)) {
     found.push_back(search.about(normal));
   }
-  const std::vector<Point> along = edges(hull, points, most_edges);
+  const std::vector<Point> along = edges(hull, points, max_edges);
   for (std::size_t i = 0; i < along.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const Point normal = along[i].cross(along[j]);
@@ -198,13 +198,13 @@ inline Matrix3<double> small_axes(const Hull& hull, const std::vector<Point>& po
     return search.about(area.dot(area) > 1e-12 ? area : from_farthest(vertices)).axes;
   }
   Candidate best;
-  const std::size_t count = vertices.size() <= small ? most_starts_of_small : most_starts;
+  const std::size_t count = vertices.size() <= small ? max_starts_of_small : max_starts;
   for (const Candidate& start : different(starts(search, hull, points), count)) {
     Candidate found = search.descend(start);
     found = search.descend(search.simplex(found, 0.2, 40));
     best = smaller(best, improved_on_all(search, found, vertices));
   }
-  if (vertices.size() <= most_vertices) search.points = vertices;
+  if (vertices.size() <= max_vertices) search.points = vertices;
   best = search.descend(search.simplex(search.along(best.axes), 0.05, 60));
   return improved_on_all(search, best, vertices).axes;
 }
@@ -228,8 +228,8 @@ double measure(const OrientedBox<S>& box, int dimensions, double scale) {
 
 /// The box of the least measure along some axes.
 template <FloatOrDouble S>
-OrientedBox<S> least_of(std::span<const Matrix3<S>> candidates, std::span<const Vector3<S>> points,
-                        int dimensions, double scale) {
+OrientedBox<S> min_of(std::span<const Matrix3<S>> candidates, std::span<const Vector3<S>> points,
+                      int dimensions, double scale) {
   OrientedBox<S> best = box_with_axes<S>(candidates.front(), points);
   for (const Matrix3<S>& axes : candidates.subspan(1)) {
     const OrientedBox<S> box = box_with_axes<S>(axes, points);
@@ -288,7 +288,7 @@ OrientedBox<S> smallest_box(std::span<const Vector3<S>> points) {
     axes.push_back(principal_axes_detail::orthonormal<S>(found.col(0), found.col(1)));
   }
   const double scale = std::ldexp(1.0, std::clamp(scaled.power, -1000, 1000));
-  return smallest_box_detail::least_of<S>(axes, all, hull.dimension, scale);
+  return smallest_box_detail::min_of<S>(axes, all, hull.dimension, scale);
 }
 // [/smallest-box]
 

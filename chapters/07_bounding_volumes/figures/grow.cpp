@@ -41,7 +41,7 @@ struct Output {
   Point centroid, smallest_centre;
   double support_count;
   std::array<double, 3> support;  // indices of the points that determine the smallest circle
-  double grown_ratio, centroid_ratio, least_ratio, greatest_ratio;  // radius / smallest radius
+  double grown_ratio, centroid_ratio, min_ratio, greatest_ratio;  // radius / smallest radius
   // For a reader's function that takes multiples of 1/8 up to 100: the lecture's sphere around the
   // points in the order of their numbers, certain to contain them; `whole` is 1 if all are such
   // multiples.
@@ -91,7 +91,7 @@ std::array<Circle<S>, points_in_all + 1> circles(const Points<S>& points, std::s
 /// pair comes first: it is on the circle at the start, and inside later.
 struct Orders {
   Order least{}, greatest{};
-  double least_radius = std::numeric_limits<double>::infinity(), greatest_radius = -1;
+  double min_radius = std::numeric_limits<double>::infinity(), greatest_radius = -1;
 };
 
 template <class S>
@@ -107,9 +107,9 @@ Orders all_orders(const Points<S>& points, std::size_t low, std::size_t high) {
   }
   do {
     const auto radius = double(circles(points, low, high, order).back().radius);
-    if (radius < found.least_radius) {
+    if (radius < found.min_radius) {
       found.least = order;
-      found.least_radius = radius;
+      found.min_radius = radius;
     }
     if (radius > found.greatest_radius) {
       found.greatest = order;
@@ -179,7 +179,7 @@ void compute_in(const Input& in, const std::vector<Point>& given, Output& out) {
   const auto ratio = [smallest](double radius) { return smallest > 0 ? radius / smallest : 1; };
   out.grown_ratio = ratio(out.grown_radius);
   out.centroid_ratio = ratio(out.centroid_radius);
-  out.least_ratio = ratio(orders.least_radius);
+  out.min_ratio = ratio(orders.min_radius);
   out.greatest_ratio = ratio(orders.greatest_radius);
 }
 
@@ -227,6 +227,6 @@ FIGURE(Input, FIELDS(p0, p1, p2, p3, p4, p5, p6, p7, taken, order, single), Outp
        FIELDS(problem, low, high, order, start_radius, radius, start_centre, centre, grew,
               radius_before, centre_before, grown_radius, grown_centre, missed, outside,
               missed_count, missed_most, centroid_radius, smallest_radius, centroid,
-              smallest_centre, support_count, support, grown_ratio, centroid_ratio, least_ratio,
+              smallest_centre, support_count, support, grown_ratio, centroid_ratio, min_ratio,
               greatest_ratio, whole, sphere_centre, sphere_radius, grown_is_smallest,
               misses_in_double, centroid_is_larger))

@@ -49,7 +49,7 @@ interface Output {
   support: readonly number[];
   grown_ratio: number;
   centroid_ratio: number;
-  least_ratio: number;
+  min_ratio: number;
   greatest_ratio: number;
 }
 
@@ -170,7 +170,7 @@ export default defineFigure<Input, Output>({
     {
       name: "orders",
       meaning: "the best and the worst of 720",
-      value: `${times(output.least_ratio)} to ${times(output.greatest_ratio)}`,
+      value: `${times(output.min_ratio)} to ${times(output.greatest_ratio)}`,
       role: "a",
     },
     {

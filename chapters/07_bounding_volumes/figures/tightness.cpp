@@ -36,18 +36,18 @@ struct Input {
 // object's box, 5 along principal axes, 6 the smallest box, 7 to 9 the DOPs of 14, 18 and 26, 10
 // the hull.
 constexpr std::size_t kinds = 11, shapes = 5, turns = 24;
-constexpr std::size_t most_vertices = 172, most_triangles = 340, most_lines = 360;
+constexpr std::size_t max_vertices = 172, max_triangles = 340, max_lines = 360;
 
 struct Output {
   double problem;
   double vertices, triangles;
-  std::array<Vector, most_vertices> vertex;  // of the body as it is turned, m
-  std::array<std::array<double, 3>, most_triangles> triangle;
+  std::array<Vector, max_vertices> vertex;  // of the body as it is turned, m
+  std::array<std::array<double, 3>, max_triangles> triangle;
   double hull_share;                          // volume of the body / volume of its hull
   std::array<double, kinds> volume, ratio;    // m³; volume / volume of the hull
   std::array<double, kinds> least, greatest;  // ratio, over random orientations
   double lines;                               // edges of the volume that is drawn
-  std::array<std::array<Vector, 2>, most_lines> line;
+  std::array<std::array<Vector, 2>, max_lines> line;
   Vector centre;                        // of the sphere that is drawn
   double radius;                        // 0: no sphere
   double aabb_is_tight, dop_is_better;  // goals of questions
@@ -196,7 +196,7 @@ Frame frame_of(const Vector& nose, double roll) {
 }
 
 void add_line(const Vector& from, const Vector& to, Output& out) {
-  if (out.lines >= double(most_lines)) return;
+  if (out.lines >= double(max_lines)) return;
   out.line[static_cast<std::size_t>(out.lines++)] = {from, to};
 }
 

@@ -31,16 +31,16 @@ struct Input {
   double drawn;             // which ones: another number, other positions
 };
 
-constexpr std::size_t shapes = 4, kinds = 5, most_vertices = 12, most_corners = 12;
+constexpr std::size_t shapes = 4, kinds = 5, max_vertices = 12, max_corners = 12;
 
 struct Output {
   double problem;
   // Of each body:
   std::array<double, 2> vertices;
-  std::array<std::array<Point, most_vertices>, 2> vertex;
+  std::array<std::array<Point, max_vertices>, 2> vertex;
   // Its volume of the chosen kind: a circle, or the vertices of a polygon.
   std::array<double, 2> corners;
-  std::array<std::array<Point, most_corners>, 2> corner;
+  std::array<std::array<Point, max_corners>, 2> corner;
   std::array<Point, 2> centre;
   std::array<double, 2> radius;
   double meet;                     // 1 if the bodies meet, exactly

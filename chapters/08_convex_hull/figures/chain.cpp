@@ -22,20 +22,20 @@ constexpr int count = 8;
 
 struct Output {
   double problem;
-  double steps;                         // orientation tests in all
-  double corners;                       // of the finished chain
-  std::array<double, 2 * count> hull;   // their indices, then -1
-  double length;                        // of the chain after `step` tests
-  std::array<double, 2 * count> chain;  // its indices, then -1
-  std::array<double, 3> asked;          // the three points of the last test, or -1
-  double orientation;                   // its sign
-  double all_vertices;                  // goal of a question: every point is a vertex
-  double true_vertices;                 // of the exact hull
-  std::array<double, count> true_hull;  // their indices, then -1
-  double found;                         // vertices of the exact hull that the method has
-  std::array<double, count> lost;       // 1 for those that it lacks
-  double wrong_turns;                   // tests whose sign differs from the exact one
-  std::array<double, 2 * count> place;  // positions as stored, with the heights stretched back
+  double steps;                            // orientation tests in all
+  double corners;                          // of the finished chain
+  std::array<double, 2 * count> hull;      // their indices, then -1
+  double length;                           // of the chain after `step` tests
+  std::array<double, 2 * count> chain;     // its indices, then -1
+  std::array<double, 3> asked;             // the three points of the last test, or -1
+  double orientation;                      // its sign
+  double all_vertices;                     // goal of a question: every point is a vertex
+  double true_vertices;                    // of the exact hull
+  std::array<double, count> true_hull;     // their indices, then -1
+  double found;                            // vertices of the exact hull that the method has
+  std::array<double, count> lost;          // 1 for those that it lacks
+  double wrong_turns;                      // tests whose sign differs from the exact one
+  std::array<double, 2 * count> position;  // positions as stored, with the heights stretched back
 };
 
 namespace {
@@ -142,8 +142,8 @@ Output compute(const Input& in) {
       p.y() = slope * p.x() + p.y() / power_of_ten(flat);
       drawn.y() = drawn_up(p, power_of_ten(flat));
     }
-    out.place[2 * i] = drawn.x();
-    out.place[2 * i + 1] = drawn.y();
+    out.position[2 * i] = drawn.x();
+    out.position[2 * i + 1] = drawn.y();
   }
 
   const std::vector<int> exact = contact::convex_hull_2d(points);
@@ -212,4 +212,4 @@ Output compute(const Input& in) {
 
 FIGURE(Input, FIELDS(p0, p1, p2, p3, p4, p5, p6, p7, step, method, flat), Output,
        FIELDS(problem, steps, corners, hull, length, chain, asked, orientation, all_vertices,
-              true_vertices, true_hull, found, lost, wrong_turns, place))
+              true_vertices, true_hull, found, lost, wrong_turns, position))

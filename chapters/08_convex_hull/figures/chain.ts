@@ -30,7 +30,7 @@ interface Output {
   found: number;
   lost: readonly number[];
   wrong_turns: number;
-  place: readonly number[];
+  position: readonly number[];
 }
 
 const NAMES = ["p0", "p1", "p2", "p3", "p4", "p5", "p6", "p7"] as const;
@@ -99,7 +99,7 @@ export default defineFigure<Input, Output>({
   draw(scene, input, output) {
     const points: Vec2[] = output.problem
       ? all(input)
-      : NAMES.map((_, i) => [output.place[2 * i] ?? 0, output.place[2 * i + 1] ?? 0]);
+      : NAMES.map((_, i) => [output.position[2 * i] ?? 0, output.position[2 * i + 1] ?? 0]);
     for (const [i, p] of points.entries())
       scene.label(p, String(i), { role: "ink", offset: [9, -9], size: "small" });
     if (output.problem) return;

@@ -26,18 +26,18 @@ constexpr int most = 24;
 
 struct Output {
   double problem;
-  double dimension, corners, faces;       // of the exact hull
-  double triangles;                       // made by the method
-  double closed;                          // 1 if they close
-  double right;                           // 1 if they are the hull
-  std::array<double, 3 * most> vertex;    // three indices a triangle
-  std::array<double, most> in_front;      // how many points are exactly in front of it
-  double open_edges;                      // edges that belong to one triangle only
-  std::array<double, 2 * 3 * most> open;  // their ends
-  double outside;                         // points that are exactly in front of some triangle
-  double found;                           // vertices of the exact hull that the method has
-  std::array<double, count> lost;         // 1 for those that it lacks
-  std::array<double, 3 * count> place;    // positions as stored, with the heights stretched back
+  double dimension, corners, faces;        // of the exact hull
+  double triangles;                        // made by the method
+  double closed;                           // 1 if they close
+  double right;                            // 1 if they are the hull
+  std::array<double, 3 * most> vertex;     // three indices a triangle
+  std::array<double, most> in_front;       // how many points are exactly in front of it
+  double open_edges;                       // edges that belong to one triangle only
+  std::array<double, 2 * 3 * most> open;   // their ends
+  double outside;                          // points that are exactly in front of some triangle
+  double found;                            // vertices of the exact hull that the method has
+  std::array<double, count> lost;          // 1 for those that it lacks
+  std::array<double, 3 * count> position;  // positions as stored, with the heights stretched back
 };
 
 namespace {
@@ -83,7 +83,7 @@ Output compute(const Input& in) {
       p = pressed(p, power_of_ten(flat));
       drawn.z() = drawn_up(p, power_of_ten(flat));
     }
-    for (int k = 0; k < 3; ++k) out.place[3 * i + static_cast<std::size_t>(k)] = drawn[k];
+    for (int k = 0; k < 3; ++k) out.position[3 * i + static_cast<std::size_t>(k)] = drawn[k];
   }
 
   const contact::Hull exact = contact::convex_hull(points);
@@ -142,9 +142,9 @@ Output compute(const Input& in) {
   }
   for (const auto& [edge, surplus] : edges) {
     if (surplus <= 0 || 2 * out.open_edges + 2 > static_cast<double>(out.open.size())) continue;
-    const auto place = static_cast<std::size_t>(2 * out.open_edges);
-    out.open[place] = edge.first;
-    out.open[place + 1] = edge.second;
+    const auto position = static_cast<std::size_t>(2 * out.open_edges);
+    out.open[position] = edge.first;
+    out.open[position + 1] = edge.second;
     ++out.open_edges;
   }
   for (const bool is_outside : outside) out.outside += is_outside;
@@ -158,4 +158,4 @@ Output compute(const Input& in) {
 
 FIGURE(Input, FIELDS(a, b, c, d, e, f, g, h, method, epsilon, shown, flat), Output,
        FIELDS(problem, dimension, corners, faces, triangles, closed, right, vertex, in_front,
-              open_edges, open, outside, found, lost, place))
+              open_edges, open, outside, found, lost, position))

@@ -32,7 +32,7 @@ interface Output {
   outside: number;
   found: number;
   lost: readonly number[];
-  place: readonly number[];
+  position: readonly number[];
 }
 
 const GROUND = -1.4;
@@ -118,7 +118,7 @@ export default defineFigure<Input, Output>({
   ],
   draw(scene, input, output) {
     const points = NAMES.map((name, i) =>
-      output.problem ? input[name] : vectorAt(output.place, i),
+      output.problem ? input[name] : vectorAt(output.position, i),
     );
     for (const [i, p] of points.entries()) {
       scene.drop(p, GROUND, "ghost");

@@ -96,7 +96,7 @@ ExactDifference exact_difference(const A& a, const B& b, const DifferenceIndex& 
 
 /// A difference with the least n · w.
 template <PolytopeCore A, PolytopeCore B>
-ExactDifference least_difference(const A& a, const B& b, const Vector3<Exact>& n) {
+ExactDifference min_difference(const A& a, const B& b, const Vector3<Exact>& n) {
   return exact_difference(a, b, {farthest_vertex(a, Vector3<Exact>(-n)), farthest_vertex(b, n)});
 }
 
@@ -224,7 +224,7 @@ ExactClosest exact_gjk(const A& a, const B& b, std::span<const DifferenceIndex> 
   for (;;) {
     const ExactClosest c = detail::closest_of_hull(points);
     if (detail::is_zero(c.direction)) return c;
-    const ExactDifference w = detail::least_difference(a, b, c.direction);
+    const ExactDifference w = detail::min_difference(a, b, c.direction);
     if (c.direction.dot(w.w) >= c.offset) return c;
     points.assign(c.vertex.begin(), c.vertex.begin() + c.count);
     points.push_back(w);

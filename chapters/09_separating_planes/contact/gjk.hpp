@@ -129,7 +129,7 @@ class GjkLoop {
   S accuracy_squared_ = S(0);
   bool exactly_ = false;     // whether the simplex was solved without rounding
   bool exact_only_ = false;  // whether all are from now on
-  S least_squared_ = std::numeric_limits<S>::infinity();  // |closest|² of those that were
+  S min_squared_ = std::numeric_limits<S>::infinity();  // |closest|² of those that were
   bool converged_ = false;
 
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -245,8 +245,8 @@ bool GjkLoop<A, B, Record>::solve_exactly() {
   const bool before = std::exchange(exact_only_, true);
   solve();
   exact_only_ = before;
-  const bool closer = squared_ < least_squared_;
-  least_squared_ = std::min(least_squared_, squared_);
+  const bool closer = squared_ < min_squared_;
+  min_squared_ = std::min(min_squared_, squared_);
   return closer;
 }
 

@@ -70,7 +70,7 @@ class ExpandingPolytope {
   S size_ = S(0);    // largest coordinate
   S extent_ = S(0);  // largest coordinate of a difference
   int iterations_ = 0;
-  S least_support_ = std::numeric_limits<S>::infinity();  // of all faces whose support is known
+  S min_support_ = std::numeric_limits<S>::infinity();  // of all faces whose support is known
 
   static constexpr bool smooth = SmoothBody<A> || SmoothBody<B>;
   static constexpr int max_iterations = 160;
@@ -131,7 +131,7 @@ class ExpandingPolytope {
     Vector3<S> n = e.cross(f);
     if (ee == longest) n = f.cross(g);
     if (ff == longest) n = e.cross(g);
-    const bool thin = smooth && !(n.dot(n) > least_height() * least_height() * longest);
+    const bool thin = smooth && !(n.dot(n) > min_height() * min_height() * longest);
     if (!thin && !(n.dot(n) > S(0x1p-20) * longest * std::min({ee, ff, gg}))) {
       n = exact_normal(i, j, k);
     } else {
@@ -142,7 +142,7 @@ class ExpandingPolytope {
   }
   /// Faces of smooth bodies that are thinner are not tested: their normals are rounding, as between
   /// points on the rim of a cap. Their neighbours bound what is beyond them.
-  S least_height() const {
+  S min_height() const {
     constexpr S curved = std::same_as<S, double> ? S(0x1p-32) : S(0x1p-16);
     return std::max(64 * tolerance::unit_roundoff<S> * size_, curved * extent_);
   }
@@ -244,7 +244,7 @@ Penetration<ScalarOf<A>> ExpandingPolytope<A, B>::run() {
       if (f.tested) continue;
       if (next == nullptr || f.offset < next->offset) next = &f;
     }
-    if (next == nullptr || !(next->offset <= least_support_ + tolerance())) break;
+    if (next == nullptr || !(next->offset <= min_support_ + tolerance())) break;
     const Vertex p = farthest(next->normal);
     const S along = next->normal.dot(p.w);
     const bool supports = along - next->offset <= tolerance();
@@ -252,7 +252,7 @@ Penetration<ScalarOf<A>> ExpandingPolytope<A, B>::run() {
     next->tested = true;
     if (!supports) continue;  // rounding alone has placed p in front of the face
     next->support = along;
-    least_support_ = std::min(least_support_, along);
+    min_support_ = std::min(min_support_, along);
     done = length<S>(closest(*next).point) <= along + tolerance();
   }
   return result();

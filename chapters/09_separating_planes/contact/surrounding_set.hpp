@@ -173,7 +173,7 @@ PlaneOrSurrounding plane_or_surrounding(const A& a, const B& b,
   for (const ExactDifference& point : start) normals.add(point);
   while (!normals.empty()) {
     const Vector3<Exact> n = normals.middle();
-    const ExactDifference w = detail::least_difference(a, b, n);
+    const ExactDifference w = detail::min_difference(a, b, n);
     ++found.steps;
     if (n.dot(w.w).sign() >= 0) {
       found.normal = n;

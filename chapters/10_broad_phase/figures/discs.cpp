@@ -27,16 +27,16 @@ struct Input {
   double time;    // s
 };
 
-constexpr std::size_t most_discs = 5000, few_discs = 8, most_boxes = 48;
+constexpr std::size_t max_discs = 5000, few_discs = 8, max_boxes = 48;
 constexpr std::size_t across = 50, bins = 100;
 
 struct Output {
   double problem;
-  double count;                          // of discs, without the reader's
-  std::array<double, 4> radii;           // of disc i: radii[i % 4]
-  std::array<Point, most_discs> centre;  // m
+  double count;                         // of discs, without the reader's
+  std::array<double, 4> radii;          // of disc i: radii[i % 4]
+  std::array<Point, max_discs> centre;  // m
   // 3 touches yours, 2 is compared with yours, 1 touches another, 0 none of these.
-  std::array<double, most_discs> state;
+  std::array<double, max_discs> state;
   double compared;                      // pairs by the chosen method
   double all_pairs, sweep, grid, tree;  // pairs compared by each
   double entries;                       // of boxes in cells, and pairs skipped there
@@ -47,12 +47,12 @@ struct Output {
   // The grid: comparisons in each cell, if the cells are not too many to be drawn.
   double cells;  // along each side of the room; 0 if they are
   std::array<double, across * across> in_cell;
-  double most_in_cell;
+  double max_in_cell;
   std::array<double, bins> at_x;  // the sweep: comparisons at each position of its line
-  double most_at_x;
+  double max_at_x;
   // The tree: the boxes that meet yours, as many as are drawn.
   double boxes;
-  std::array<Point, most_boxes> box_low, box_high;
+  std::array<Point, max_boxes> box_low, box_high;
   // For a reader's function on whole numbers: the box of the reader's disc and the edge, in µm, the
   // cells in which the box has a point, and 1 if the grid enters it in the same ones.
   Point low, high;
@@ -219,7 +219,7 @@ void count_in_cells(const Boxes& boxes, double edge, Output& out) {
         if (index(x, y) == at) ++out.in_cell[at];
       }
     }
-    out.most_in_cell = std::max(out.most_in_cell, out.in_cell[at]);
+    out.max_in_cell = std::max(out.max_in_cell, out.in_cell[at]);
   }
 }
 
@@ -239,7 +239,7 @@ void count_along_x(const Boxes& boxes, Output& out) {
     const double bin = std::clamp(lows[begun] / side * double(bins), 0.0, double(bins - 1));
     out.at_x[std::size_t(bin)] += double(begun - ended);
   }
-  out.most_at_x = *std::max_element(out.at_x.begin(), out.at_x.end());
+  out.max_at_x = *std::max_element(out.at_x.begin(), out.at_x.end());
 }
 
 /// Which boxes a query of the tree for yours compares, and the nodes that it enters.
@@ -249,7 +249,7 @@ void ask_tree(const Boxes& boxes, const contact::Aabb<double>& yours, std::vecto
   std::size_t entered = 0;
   const auto enters = [&](const contact::Aabb<double>& box) {
     if (!contact::boxes_touch(box, yours)) return false;
-    if (entered < most_boxes) {
+    if (entered < max_boxes) {
       out.box_low[entered] = box.low.head<2>();
       out.box_high[entered] = box.high.head<2>();
     }
@@ -260,7 +260,7 @@ void ask_tree(const Boxes& boxes, const contact::Aabb<double>& yours, std::vecto
     compared[std::size_t(tree.hierarchy().order[std::size_t(at)])] = 1;
     return false;
   });
-  out.boxes = double(std::min(entered, most_boxes));
+  out.boxes = double(std::min(entered, max_boxes));
 }
 
 /// Marks the boxes that the chosen method compares with the last one, which is yours.
@@ -357,7 +357,7 @@ Output compute(const Input& in) {
   if (!(in.radius >= 1e-6) || !(in.edge >= 1e-3)) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
   const auto number =
-      static_cast<std::size_t>(std::clamp(std::round(in.number), 1.0, double(most_discs)));
+      static_cast<std::size_t>(std::clamp(std::round(in.number), 1.0, double(max_discs)));
   const bool mixed = in.mixed == 1;
   const Discs discs = at_time(number, mixed, std::clamp(in.time, 0.0, double(seconds)));
   out.count = double(number);
@@ -376,5 +376,5 @@ Output compute(const Input& in) {
 FIGURE(Input, FIELDS(number, method, edge, yours, radius, mixed, time), Output,
        FIELDS(problem, count, radii, centre, state, compared, all_pairs, sweep, grid, tree, entries,
               nodes, touching, cheapest, compared_with_yours, touching_yours, cells, in_cell,
-              most_in_cell, at_x, most_at_x, boxes, box_low, box_high, low, high, whole_edge,
+              max_in_cell, at_x, max_at_x, boxes, box_low, box_high, low, high, whole_edge,
               first_cell, last_cell, same_cells, reach, few, many_cells, grid_is_worse))

@@ -31,9 +31,9 @@ interface Output {
   touching_yours: number;
   cells: number;
   in_cell: readonly number[];
-  most_in_cell: number;
+  max_in_cell: number;
   at_x: readonly number[];
-  most_at_x: number;
+  max_at_x: number;
   boxes: number;
   box_low: readonly number[];
   box_high: readonly number[];
@@ -76,7 +76,7 @@ function rectangle([x1, y1]: Vec2, [x2, y2]: Vec2): Vec2[] {
   ];
 }
 
-function cells(scene: Scene, edge: number, { cells, in_cell, most_in_cell }: Output): void {
+function cells(scene: Scene, edge: number, { cells, in_cell, max_in_cell }: Output): void {
   for (let k = 0; k <= cells; k++) {
     const at = Math.min(k * edge, SIDE);
     scene.line([at, 0], [at, SIDE], { role: "ghost", width: 0.5 });
@@ -89,7 +89,7 @@ function cells(scene: Scene, edge: number, { cells, in_cell, most_in_cell }: Out
       const upTo = (k: number): number => Math.min((k + 1) * edge, SIDE);
       scene.face(rectangle([x * edge, y * edge], [upTo(x), upTo(y)]), {
         role: "ball",
-        fill: 0.1 + (0.6 * here) / most_in_cell,
+        fill: 0.1 + (0.6 * here) / max_in_cell,
         outline: false,
       });
     }
@@ -97,11 +97,11 @@ function cells(scene: Scene, edge: number, { cells, in_cell, most_in_cell }: Out
 }
 
 /** Under the room the comparisons along the line, and in it the strip that your disc occupies. */
-function sweepLine(scene: Scene, { yours, radius }: Input, { at_x, most_at_x }: Output): void {
+function sweepLine(scene: Scene, { yours, radius }: Input, { at_x, max_at_x }: Output): void {
   const wide = SIDE / at_x.length;
   at_x.forEach((here, i) => {
     if (here === 0) return;
-    const low: Vec2 = [i * wide, LINE - (TALL * here) / most_at_x];
+    const low: Vec2 = [i * wide, LINE - (TALL * here) / max_at_x];
     scene.face(rectangle(low, [(i + 1) * wide, LINE]), { role: "ball", fill: 0.7, outline: false });
   });
   scene.line([0, LINE], [SIDE, LINE], { role: "muted", width: 1 });

@@ -33,26 +33,26 @@ struct Input {
   double time;                 // at which the bodies are drawn, as a fraction of the step
 };
 
-constexpr std::size_t most_slices = 40, most_halvings = 20, corners = 64, samples = 48;
+constexpr std::size_t max_slices = 40, max_halvings = 20, corners = 64, samples = 48;
 
 struct Output {
   double problem;
-  Point at, other_at;                                // the centres at that time
-  Point plate_low, plate_high;                       // corners of the plate
-  std::array<Point, corners> grown;                  // the target at the start, grown by the radius
-  double slices;                                     // how many there are
-  std::array<double, most_slices + 1> tested;        // times k / slices
-  std::array<double, most_slices + 1> overlaps;      // 1 if the bodies overlap then
-  std::array<Point, most_slices + 1> bullet, other;  // the centres then
+  Point at, other_at;                               // the centres at that time
+  Point plate_low, plate_high;                      // corners of the plate
+  std::array<Point, corners> grown;                 // the target at the start, grown by the radius
+  double slices;                                    // how many there are
+  std::array<double, max_slices + 1> tested;        // times k / slices
+  std::array<double, max_slices + 1> overlaps;      // 1 if the bodies overlap then
+  std::array<Point, max_slices + 1> bullet, other;  // the centres then
   // What each method answers: 1 if it finds a touch, and its time as a fraction of the step.
   double sliced, sliced_time;
   double previous_free;      // the end of the last free slice before that
   double interpolated_time;  // between the last free slice and the first one with an overlap
   double bisected, free_time, hit_time;
-  double halvings;                                            // how many were made
-  std::array<double, most_halvings> halved, halved_overlaps;  // the times tested, and the answers
-  double touches, time;                                       // the exact answer
-  double leaves;                                              // when they separate again, at most 1
+  double halvings;                                           // how many were made
+  std::array<double, max_halvings> halved, halved_overlaps;  // the times tested, and the answers
+  double touches, time;                                      // the exact answer
+  double leaves;                                             // when they separate again, at most 1
   // At the touch: the bullet's centre, that of the disc, the point in common on both surfaces, and
   // the unit normal of the surface that is hit, towards the bullet. Between overlapping discs the
   // point divides the line of the centres as the radii do.
@@ -181,9 +181,9 @@ void exactly(const Motion& m, Output& out) {
 }
 
 void by_slices(const Input& in, const Motion& m, Output& out) {
-  const auto slices = static_cast<int>(std::clamp(std::round(in.slices), 1.0, double(most_slices)));
+  const auto slices = static_cast<int>(std::clamp(std::round(in.slices), 1.0, double(max_slices)));
   const auto halvings =
-      static_cast<int>(std::clamp(std::round(in.halvings), 0.0, double(most_halvings)));
+      static_cast<int>(std::clamp(std::round(in.halvings), 0.0, double(max_halvings)));
   out.slices = slices;
   const auto overlap = [&m](double t) { return m.gap(t) <= 0; };
   for (int k = 0; k <= slices; ++k) {

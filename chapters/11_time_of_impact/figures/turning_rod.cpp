@@ -24,7 +24,7 @@ struct Input {
   double samples;   // tests at equal times after the start
 };
 
-constexpr std::size_t most_advances = 60, most_samples = 30, curve_points = 241;
+constexpr std::size_t max_advances = 60, max_samples = 30, curve_points = 241;
 using Ends = std::array<Point, 2>;
 
 struct Output {
@@ -37,8 +37,8 @@ struct Output {
   double advances;        // how often the distance is evaluated
   double ended;           // 0 within the tolerance, 1 no touch in the step, 2 too many advances
   double time;            // at which it ended, as a fraction of the step
-  std::array<double, most_advances> times, distances;  // of each evaluation
-  double shown;                                        // the one that is shown, from 1 to advances
+  std::array<double, max_advances> times, distances;  // of each evaluation
+  double shown;                                       // the one that is shown, from 1 to advances
   // Of that: the rod's ends, the closest points of its axis and of the target, the distance, and
   // the time up to which no touch is possible, with the rod then.
   Ends ends;
@@ -47,8 +47,8 @@ struct Output {
   Ends next_ends;
   // Samples: times, distances, ends of the rod, and how many of them overlap the target.
   double samples;
-  std::array<double, most_samples + 1> sampled, sampled_distances;
-  std::array<Ends, most_samples + 1> sampled_ends;
+  std::array<double, max_samples + 1> sampled, sampled_distances;
+  std::array<Ends, max_samples + 1> sampled_ends;
   double overlapping, first_overlap;
   std::array<double, curve_points> curve;  // the distance at equal times from 0 to 1, m
   double touches, touch_time;              // up to 10⁻⁹ m; the time is not after the touch
@@ -129,7 +129,7 @@ void advance(const Rod& rod, double approach, Output& out) {
     return out.distances[count++] = rod.closest(t).distance;
   };
   const auto advance = contact::conservative_advancement<double>(distance, approach, 1.0,
-                                                                 out.tolerance, int(most_advances));
+                                                                 out.tolerance, int(max_advances));
   // [/advanced]
   out.advances = advance.advances;
   out.time = advance.t;
@@ -152,7 +152,7 @@ void show(const Rod& rod, double wanted, Output& out) {
 }
 
 void sample(const Rod& rod, double wanted, Output& out) {
-  out.samples = std::clamp(std::round(wanted), 1.0, double(most_samples));
+  out.samples = std::clamp(std::round(wanted), 1.0, double(max_samples));
   out.first_overlap = -1;
   for (std::size_t k = 0; k <= std::size_t(out.samples); ++k) {
     const double t = double(k) / out.samples;

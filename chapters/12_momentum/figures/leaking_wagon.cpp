@@ -25,7 +25,7 @@ struct Output {
   double mass;                           // at the time, kg
   double relative;                       // velocity of the matter relative to the wagon then, m/s
   double velocity_now, alone_now;        // m/s
-  double place, place_alone;             // m
+  double position, position_alone;       // m
   double thrust;                         // u dm/dt, N
   double p_given;                        // initial p plus F t, kg·m/s
   double p_all, p_all_alone;             // of wagon and all matter, by either, kg·m/s
@@ -91,8 +91,8 @@ Output compute(const Input& in) {
   out.velocity_now = now.velocity.x();
   out.relative = rains ? -out.velocity_now : in.apart;
   out.alone_now = alone.velocity.x();
-  out.place = now.displacement.x();
-  out.place_alone = alone.displacement.x();
+  out.position = now.displacement.x();
+  out.position_alone = alone.displacement.x();
   out.thrust = out.relative * stream.mass_rate;
   out.p_given = at_first * in.velocity + in.force * in.time;
   out.p_all = all(now);
@@ -103,5 +103,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(velocity, rate, apart, force, rains, time), Output,
-       FIELDS(problem, moment, velocity, alone, mass, relative, velocity_now, alone_now, place,
-              place_alone, thrust, p_given, p_all, p_all_alone, agree))
+       FIELDS(problem, moment, velocity, alone, mass, relative, velocity_now, alone_now, position,
+              position_alone, thrust, p_given, p_all, p_all_alone, agree))

@@ -20,8 +20,8 @@ interface Output {
   relative: number;
   velocity_now: number;
   alone_now: number;
-  place: number;
-  place_alone: number;
+  position: number;
+  position_alone: number;
   thrust: number;
   p_given: number;
   p_all: number;
@@ -37,7 +37,7 @@ const LEAST = -2;
 const MOST = 10;
 const END = 10.3;
 const at = (t: number, v: number): Vec2 => [t, HIGH * v];
-const seen = (place: number): boolean => FAR * place >= -0.5 && FAR * place <= 10.4;
+const seen = (position: number): boolean => FAR * position >= -0.5 && FAR * position <= 10.4;
 const drawn = (v: number): boolean => v >= LEAST && v <= MOST;
 
 export default defineFigure<Input, Output>({
@@ -135,17 +135,17 @@ export default defineFigure<Input, Output>({
       scene.label(at(1, high), law, { role, offset: [6, 4], size: "small" });
     }
 
-    for (const [place, track, role] of [
-      [output.place, TRACKS[0], "hit"],
-      [output.place_alone, TRACKS[1], "miss"],
+    for (const [position, track, role] of [
+      [output.position, TRACKS[0], "hit"],
+      [output.position_alone, TRACKS[1], "miss"],
     ] as const) {
-      if (seen(place)) {
-        wagon(scene, [FAR * place, track], output.mass, role, role === "miss");
+      if (seen(position)) {
+        wagon(scene, [FAR * position, track], output.mass, role, role === "miss");
         continue;
       }
       // It has left the picture.
-      const back = place < 0;
-      const where = `${pretty(place, 3)} m`;
+      const back = position < 0;
+      const where = `${pretty(position, 3)} m`;
       scene.label([back ? -0.7 : 10.7, track], back ? `← ${where}` : `${where} →`, {
         role,
         offset: [0, -8],
@@ -153,8 +153,8 @@ export default defineFigure<Input, Output>({
       });
     }
     if (input.rains || input.rate === 0 || Math.abs(output.relative) < 0.05) return;
-    if (!seen(output.place)) return;
-    const hole: Vec2 = [FAR * output.place, TRACKS[0] - 0.25];
+    if (!seen(output.position)) return;
+    const hole: Vec2 = [FAR * output.position, TRACKS[0] - 0.25];
     const tip: Vec2 = [hole[0] + 0.4 * output.relative, hole[1]];
     scene.arrow(hole, tip, { role: "b", width: 2.5 });
     scene.label(tip, "u", {

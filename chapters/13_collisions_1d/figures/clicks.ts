@@ -21,7 +21,7 @@ interface Output {
 
 const R = 3;
 const SCALE = -4.4;
-const place = (ratio: number): number => -4 + 0.08 * ratio;
+const position = (ratio: number): number => -4 + 0.08 * ratio;
 
 export default defineFigure<Input, Output>({
   title: "Reflections on a circle",
@@ -34,7 +34,7 @@ export default defineFigure<Input, Output>({
       field: "ratio",
       label: "M/m, mass ratio of the blocks",
       role: "ray",
-      at: (input): Vec2 => [place(input.ratio), SCALE],
+      at: (input): Vec2 => [position(input.ratio), SCALE],
       along: (): Vec2 => [0.08, 0],
       step: 1,
       limit: [1, 100],
@@ -45,13 +45,13 @@ export default defineFigure<Input, Output>({
     { kind: "slider", field: "step", label: "collisions", min: 0, max: 32, step: 1, play: 6 },
   ],
   draw(scene, _input, output) {
-    scene.line([place(0), SCALE], [place(100), SCALE], { role: "muted", width: 2 });
+    scene.line([position(0), SCALE], [position(100), SCALE], { role: "muted", width: 2 });
     for (const ratio of [1, 25, 50, 75, 100]) {
-      scene.line([place(ratio), SCALE - 0.1], [place(ratio), SCALE + 0.1], {
+      scene.line([position(ratio), SCALE - 0.1], [position(ratio), SCALE + 0.1], {
         role: "muted",
         width: 1,
       });
-      scene.label([place(ratio), SCALE], pretty(ratio), {
+      scene.label([position(ratio), SCALE], pretty(ratio), {
         role: "muted",
         offset: [0, 20],
         anchor: "middle",

@@ -19,7 +19,7 @@ interface Output {
 const ROWS = [3, 1.9, 0.8, -0.3] as const;
 const SCALE = -1.9;
 const column = (i: number): number => 1 + 1.9 * (i - 2);
-const place = (n: number): number => -5 + n / 500;
+const position = (n: number): number => -5 + n / 500;
 
 export default defineFigure<Input, Output>({
   title: "Close cases",
@@ -32,7 +32,7 @@ export default defineFigure<Input, Output>({
       field: "n",
       label: "n: n steps of θ are nearly π",
       role: "ray",
-      at: (input): Vec2 => [place(input.n), SCALE],
+      at: (input): Vec2 => [position(input.n), SCALE],
       along: (): Vec2 => [1 / 500, 0],
       step: 1,
       limit: [5, 5000],
@@ -40,10 +40,10 @@ export default defineFigure<Input, Output>({
   ],
   controls: [{ kind: "numbers", field: "n", label: "n", role: "ray", step: 1 }],
   draw(scene, _input, output) {
-    scene.line([place(0), SCALE], [place(5000), SCALE], { role: "muted", width: 2 });
+    scene.line([position(0), SCALE], [position(5000), SCALE], { role: "muted", width: 2 });
     for (const n of [5, 1000, 2000, 3000, 4000, 5000]) {
-      scene.line([place(n), SCALE - 0.1], [place(n), SCALE + 0.1], { role: "muted", width: 1 });
-      scene.label([place(n), SCALE], pretty(n), {
+      scene.line([position(n), SCALE - 0.1], [position(n), SCALE + 0.1], { role: "muted", width: 1 });
+      scene.label([position(n), SCALE], pretty(n), {
         role: "muted",
         offset: [0, 20],
         anchor: "middle",

@@ -5,9 +5,9 @@
 #include <contact/tolerance.hpp>
 
 struct Input {
-  double zoom;   // the window is 2^-zoom wide to either side of m_1 = e
-  double place;  // of the mass of the reading, from -1 to 1 in the window
-  double e;      // coefficient of restitution
+  double zoom;      // the window is 2^-zoom wide to either side of m_1 = e
+  double position;  // of the mass of the reading, from -1 to 1 in the window
+  double e;         // coefficient of restitution
 };
 
 struct Output {
@@ -26,7 +26,7 @@ struct Output {
 Output compute(const Input& in) {
   Output out{};
   if (!(in.e >= 0.1) || in.zoom < 2) out.problem = contact::figure::too_small;
-  if (in.e > 0.9 || in.zoom > 23 || std::abs(in.place) > 1) {
+  if (in.e > 0.9 || in.zoom > 23 || std::abs(in.position) > 1) {
     out.problem = contact::figure::too_large;
   }
   if (out.problem != 0) return out;
@@ -36,8 +36,8 @@ Output compute(const Input& in) {
     out.problem = contact::figure::too_large;  // a mass would be negative
   if (out.problem != 0) return out;
   const auto resting = contact::line_body(1.0f, 0.0f);
-  const auto at = [&](double place, auto&& tell) {
-    const auto m = static_cast<float>(double{e} + place * width * 0.5);
+  const auto at = [&](double position, auto&& tell) {
+    const auto m = static_cast<float>(double{e} + position * width * 0.5);
     const auto hitting = contact::line_body(m, 1.0f);
     tell(m, double{contact::collide_exactly(hitting, resting, e).first},
          double{contact::collide(hitting, resting, e).first});
@@ -50,7 +50,7 @@ Output compute(const Input& in) {
     });
   }
   out.bound = double{contact::tolerance::gamma<float>(8)} / width;
-  at(in.place, [&](float m, double exact, double rounded) {
+  at(in.position, [&](float m, double exact, double rounded) {
     out.m_1 = m;
     out.v_exact = exact;
     out.v_rounded = rounded;
@@ -63,6 +63,6 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(zoom, place, e), Output,
+FIGURE(Input, FIELDS(zoom, position, e), Output,
        FIELDS(problem, mass, exact, rounded, bound, m_1, v_exact, v_rounded, relative, absolute,
               read_x, read_y))

@@ -4,7 +4,7 @@ import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
 interface Input {
   zoom: number;
-  place: number;
+  position: number;
   e: number;
 }
 
@@ -32,7 +32,7 @@ export default defineFigure<Input, Output>({
   title: "A velocity near zero",
   view: { kind: "2d", x: [-5.6, 5.6], y: [-5.2, 4.1] },
   aspect: 1.25,
-  initial: { zoom: 19, place: 0.4, e: 0.3 },
+  initial: { zoom: 19, position: 0.4, e: 0.3 },
   handles: [
     {
       kind: "slide",
@@ -46,10 +46,10 @@ export default defineFigure<Input, Output>({
     },
     {
       kind: "slide",
-      field: "place",
+      field: "position",
       label: "the mass m₁ of the reading",
       role: "hit",
-      at: (input): Vec2 => [input.place * WIDE, 0],
+      at: (input): Vec2 => [input.position * WIDE, 0],
       along: (): Vec2 => [WIDE, 0],
       step: 0.05,
       limit: [-1, 1],

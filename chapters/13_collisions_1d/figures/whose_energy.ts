@@ -35,7 +35,7 @@ const FAR = 0.3;
 const HIGH = 0.01;
 const FASTEST = 30;
 const MOST = 620;
-const place = (frame: number, energy: number): Vec2 => [FAR * frame, HIGH * energy];
+const position = (frame: number, energy: number): Vec2 => [FAR * frame, HIGH * energy];
 
 export default defineFigure<Input, Output>({
   title: "Kinetic energy in different frames",
@@ -48,7 +48,7 @@ export default defineFigure<Input, Output>({
       field: "frame",
       label: "velocity of the frame, m/s",
       role: "muted",
-      at: (input): Vec2 => place(input.frame, 0),
+      at: (input): Vec2 => position(input.frame, 0),
       along: (): Vec2 => [FAR, 0],
       step: 0.5,
       limit: [0, FASTEST],
@@ -91,12 +91,12 @@ export default defineFigure<Input, Output>({
   ],
   draw(scene, input, output) {
     const axis = { role: "muted", width: 1 } as const;
-    scene.arrow(place(0, 0), [9.6, 0], axis).arrow(place(0, 0), place(0, MOST), axis);
-    scene.label(place(0, MOST), "K, kJ", { role: "muted", offset: [8, 4] });
+    scene.arrow(position(0, 0), [9.6, 0], axis).arrow(position(0, 0), position(0, MOST), axis);
+    scene.label(position(0, MOST), "K, kJ", { role: "muted", offset: [8, 4] });
     scene.label([9.6, 0], "m/s", { role: "muted", offset: [0, -8], anchor: "end" });
     for (const frame of [10, 20, 30]) {
       scene.line([FAR * frame, -0.06], [FAR * frame, 0.06], axis);
-      scene.label(place(frame, 0), pretty(frame), {
+      scene.label(position(frame, 0), pretty(frame), {
         role: "muted",
         offset: [0, 18],
         anchor: "middle",
@@ -105,7 +105,7 @@ export default defineFigure<Input, Output>({
     }
     for (const energy of [200, 400, 600]) {
       scene.line([-0.06, HIGH * energy], [0.06, HIGH * energy], axis);
-      scene.label(place(0, energy), pretty(energy), {
+      scene.label(position(0, energy), pretty(energy), {
         role: "muted",
         offset: [-9, 4],
         anchor: "end",
@@ -121,16 +121,16 @@ export default defineFigure<Input, Output>({
       energies
         .map((energy, i): Vec2 => [output.frames[i] ?? 0, energy])
         .filter(([, energy]) => energy <= MOST)
-        .map(([frame, energy]) => place(frame, energy));
+        .map(([frame, energy]) => position(frame, energy));
     scene.path(curve(output.before), { role: "ink", width: 2 });
     if (!output.approach) {
-      scene.label(place(15, 500), "no collision", { role: "muted", anchor: "middle" });
+      scene.label(position(15, 500), "no collision", { role: "muted", anchor: "middle" });
       return;
     }
     scene.path(curve(output.centre), { role: "normal", width: 1.2, dashed: true });
     scene.path(curve(output.after), { role: "hit", width: 2.5 });
     scene.path(curve(output.wrong), { role: "miss", width: 2.5, dashed: true });
-    scene.line(place(input.frame, 0), place(input.frame, MOST), {
+    scene.line(position(input.frame, 0), position(input.frame, MOST), {
       role: "muted",
       width: 1,
       dashed: true,
@@ -142,8 +142,8 @@ export default defineFigure<Input, Output>({
       [output.k_wrong, input.part === 1 ? "e K" : "e² K", "miss", 18],
     ] as const) {
       if (energy > MOST) continue;
-      scene.dot(place(input.frame, energy), role, 4.5, role === "miss");
-      scene.label(place(input.frame, energy), name, { role, offset: [9, down], size: "small" });
+      scene.dot(position(input.frame, energy), role, 4.5, role === "miss");
+      scene.label(position(input.frame, energy), name, { role, offset: [9, down], size: "small" });
     }
   },
   values: (input, output) => [

@@ -4,7 +4,7 @@
 #include <contact/figure.hpp>
 
 constexpr int max_events = 13;
-constexpr int places = max_events + 2;
+constexpr int positions = max_events + 2;
 constexpr int samples = 61;
 
 // Positions off the table are moved to its edge.
@@ -21,9 +21,9 @@ struct Input {
 struct Output {
   double problem;
   double side, radius, duration;
-  double shown;                      // time shown, s
-  std::array<double, places> times;  // of start, events and end, as far as shown
-  std::array<contact::Vector2<double>, places> path_a, path_b, path_c;
+  double shown;                         // time shown, s
+  std::array<double, positions> times;  // of start, events and end, as far as shown
+  std::array<contact::Vector2<double>, positions> path_a, path_b, path_c;
   double events;                                 // number shown
   double first_touch;                            // time of the first touch of two discs; 0 if none
   double touches;                                // whether they do
@@ -95,7 +95,7 @@ Output compute(const Input& in) {
   out.shown = in.show != 0 || first_touch < 0 ? played : first_touch;
 
   // The part that is shown: positions at the events, then at the end.
-  const auto place_at = [&](double t) {
+  const auto position_at = [&](double t) {
     std::size_t i = 0;
     while (i + 1 < times.size() && times[i + 1] <= t) ++i;
     Discs now = states[i];
@@ -112,9 +112,9 @@ Output compute(const Input& in) {
   };
   for (std::size_t i = 0; i < times.size() && times[i] <= out.shown; ++i) add(times[i], states[i]);
   out.events = filled - 1;
-  while (filled < places) add(out.shown, place_at(out.shown));
+  while (filled < positions) add(out.shown, position_at(out.shown));
 
-  const Discs now = place_at(std::clamp(in.time, 0.0, out.shown));
+  const Discs now = position_at(std::clamp(in.time, 0.0, out.shown));
   out.now_a = now[0].centre;
   out.now_b = now[1].centre;
   out.now_c = now[2].centre;

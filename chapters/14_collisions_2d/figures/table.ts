@@ -179,7 +179,7 @@ export default defineFigure<Input, Output>({
     for (const [path, start, now, role, name] of discs) {
       const way = points(path);
       scene.path(way, { role, width: 2 });
-      for (const place of way.slice(1, output.events + 1)) scene.dot(place, role, 3);
+      for (const position of way.slice(1, output.events + 1)) scene.dot(position, role, 3);
       scene.ball(start, output.radius, { role, fill: 0.1, dashed: true });
       scene.ball(now, output.radius, { role, fill: 0.35 });
       scene.label(now, name, { role, offset: [0, 44], anchor: "middle" });

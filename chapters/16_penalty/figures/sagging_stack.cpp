@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-constexpr std::size_t most_boxes = 10, samples = 301;
+constexpr std::size_t max_boxes = 10, samples = 301;
 constexpr double mass = 10, side = 0.5, gravity = 9.81;  // kg, m, m/s²
 constexpr double last_time = 3;                          // s
 
@@ -24,12 +24,12 @@ struct Input {
 struct Output {
   double problem;
   double boxes, mass, side;
-  std::array<double, most_boxes> sag, at_rest;    // of each contact and of each box at rest, m
-  std::array<double, most_boxes> overlap, lower;  // the same at that time
-  double top_sag;                                 // of the highest box at rest, m
-  std::array<double, samples> moment, top;        // how far the highest box has sunk, m
-  double limit, limit_of_one;                     // of semi-implicit Euler: the stack's, one box's
-  double slowest, fastest;                        // periods of the stack, s
+  std::array<double, max_boxes> sag, at_rest;    // of each contact and of each box at rest, m
+  std::array<double, max_boxes> overlap, lower;  // the same at that time
+  double top_sag;                                // of the highest box at rest, m
+  std::array<double, samples> moment, top;       // how far the highest box has sunk, m
+  double limit, limit_of_one;                    // of semi-implicit Euler: the stack's, one box's
+  double slowest, fastest;                       // periods of the stack, s
   double energy;  // about the rest at that time, over that at the start
   // Goals of questions.
   double grows;       // steps of semi-implicit Euler that grow, though one box would be stable
@@ -96,8 +96,7 @@ Output compute(const Input& in) {
     out.problem = contact::figure::too_small;
   }
   if (out.problem != 0) return out;
-  const auto n =
-      static_cast<std::size_t>(std::clamp(std::round(in.boxes), 1.0, double(most_boxes)));
+  const auto n = static_cast<std::size_t>(std::clamp(std::round(in.boxes), 1.0, double(max_boxes)));
   out.boxes = double(n);
   out.mass = mass;
   out.side = side;

@@ -70,11 +70,11 @@ namespace {
 template <class Visit, class Bounced>
 void follow(PenaltyScheme scheme, const contact::SpringDamper<double>& spring, const Input& in,
             const Visit& visit, const Bounced& bounced) {
-  constexpr int most_steps = 6000;
+  constexpr int max_steps = 6000;
   // [walls]
   PenaltyState<double> now{-(1 - in.phase) * in.step * speed, speed};
   std::size_t made = 0;
-  for (int i = 0; i < most_steps && made < bounces; ++i) {
+  for (int i = 0; i < max_steps && made < bounces; ++i) {
     const auto next = contact::penalty_step<double>(scheme, now, spring, mass, in.step, 0);
     if (now.penetration >= 0 || next.penetration >= 0) visit(made, now, next);
     if (now.penetration >= 0 && next.penetration < 0) bounced(++made, next.approach);

@@ -27,7 +27,7 @@ struct Output {
   double lost;                          // share of the kinetic energy
   double ratio;                         // of separation and closing speed: should be e
   Eigen::Vector2d middle, left, right;  // of the rod at the time
-  double ball_place;
+  double ball_position;
   double grip_at_rest;  // goal of a question
 };
 
@@ -83,11 +83,11 @@ Output compute(const Input& in) {
   out.middle = {0, hit_yet ? out.velocity * in.time : 0.0};
   out.right = out.middle + in.half * Eigen::Vector2d(turn.cosine, turn.sine);
   out.left = out.middle - in.half * Eigen::Vector2d(turn.cosine, turn.sine);
-  out.ball_place = -0.1 + (hit_yet ? out.ball_velocity : in.speed) * in.time;
+  out.ball_position = -0.1 + (hit_yet ? out.ball_velocity : in.speed) * in.time;
   out.grip_at_rest = out.impulse > 0.1 && std::abs(out.grip) <= 0.02 * std::abs(out.velocity);
   return out;
 }
 
 FIGURE(Input, FIELDS(at, rod, ball, speed, e, time, half, way), Output,
        FIELDS(problem, impulse, without_turning, velocity, angular_velocity, ball_velocity, along,
-              grip, still, lost, ratio, middle, left, right, ball_place, grip_at_rest))
+              grip, still, lost, ratio, middle, left, right, ball_position, grip_at_rest))

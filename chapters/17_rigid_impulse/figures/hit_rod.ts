@@ -28,7 +28,7 @@ interface Output {
   middle: Vec2;
   left: Vec2;
   right: Vec2;
-  ball_place: number;
+  ball_position: number;
 }
 
 /** How many metres long an arrow of 1 m/s is. */
@@ -91,7 +91,7 @@ export default defineFigure<Input, Output>({
     scene.label([-input.half, 0], "grip", { role: "muted", offset: [-10, 5], anchor: "end" });
     if (output.problem) return;
     const r = 0.1;
-    scene.ball([input.at, output.ball_place], r, { role: "ball", fill: 0.35 });
+    scene.ball([input.at, output.ball_position], r, { role: "ball", fill: 0.35 });
     scene.ball([input.at, -r], r, { role: "ball", dashed: true, fill: 0 });
     const tips: Vec2[] = [];
     for (const [k, v] of output.along.entries()) {

@@ -46,7 +46,7 @@ const ZERO: Vec2 = [0, -4.6];
 const PER_IMPULSE = 2.4;
 const HIGH = 1.2;
 
-const place = (along: number, up: number): Vec2 => [
+const position = (along: number, up: number): Vec2 => [
   ZERO[0] + PER_IMPULSE * along,
   ZERO[1] + PER_IMPULSE * up,
 ];
@@ -73,7 +73,7 @@ function inBox(from: Vec2, to: Vec2): [Vec2, Vec2] | undefined {
   }
   if (low >= high) return undefined;
   const at = (t: number): Vec2 =>
-    place(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
+    position(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
   return [at(low), at(high)];
 }
 
@@ -142,10 +142,10 @@ export default defineFigure<Input, Output>({
     scene.label(output.tip_after, "u′", { role: "b", offset: [12, -6] });
 
     const axis = { role: "muted", width: 1 } as const;
-    scene.arrow(place(-1.15, 0), place(1.2, 0), axis);
-    scene.arrow(place(0, 0), place(0, HIGH + 0.05), axis);
-    scene.label(place(1.2, 0), "p_t", { role: "muted", offset: [2, -8], anchor: "end" });
-    scene.label(place(0, HIGH), "p_n", { role: "muted", offset: [8, 6] });
+    scene.arrow(position(-1.15, 0), position(1.2, 0), axis);
+    scene.arrow(position(0, 0), position(0, HIGH + 0.05), axis);
+    scene.label(position(1.2, 0), "p_t", { role: "muted", offset: [2, -8], anchor: "end" });
+    scene.label(position(0, HIGH), "p_n", { role: "muted", offset: [8, 6] });
     for (const side of [-1, 1]) {
       const edge = inBox([0, 0], [side * input.friction * 3, 3]);
       if (edge) scene.line(edge[0], edge[1], { role: "c", width: 1.5 });
@@ -161,10 +161,10 @@ export default defineFigure<Input, Output>({
       const end = turn[0][0] < turn[1][0] ? turn[0] : turn[1];
       scene.label(end, "compression", { role: "normal", offset: [-4, -8], size: "small" });
     }
-    const points = output.along.map((p, k): Vec2 => place(p, output.up[k] ?? 0));
+    const points = output.along.map((p, k): Vec2 => position(p, output.up[k] ?? 0));
     scene.path(points, { role: "b", width: 3 });
     for (const [k, name] of LAWS.entries()) {
-      const at = place(output.end_along[k] ?? 0, output.end_up[k] ?? 0);
+      const at = position(output.end_along[k] ?? 0, output.end_up[k] ?? 0);
       if ((output.energy[k] ?? 0) === 0 || at[1] > ZERO[1] + PER_IMPULSE * HIGH) continue;
       const gains = (output.energy[k] ?? 0) > 1.0000001;
       const role: Role = gains ? "miss" : "ink";

@@ -127,7 +127,7 @@ Vector3<S> middle_on(const ContactManifold<S>& manifold, bool of_a) {
 }
 
 template <std::floating_point S>
-S least_distance(const ContactManifold<S>& manifold) {
+S min_distance(const ContactManifold<S>& manifold) {
   S least = std::numeric_limits<S>::infinity();
   for (const ManifoldPoint<S>& p : manifold.points) least = std::min(least, p.distance);
   return least;
@@ -161,7 +161,7 @@ std::vector<PieceManifold<S>> outer_manifolds(const CompoundBody<S>& a, const Co
   // In units of rounding, so that it does not change the order of pairs that rest. A ball closer to
   // a joint than the step is as close to both pieces.
   const auto level = [&step](const PieceManifold<S>& pair) {
-    return std::floor(least_distance(pair.manifold) / (step * flatness<S>));
+    return std::floor(min_distance(pair.manifold) / (step * flatness<S>));
   };
   std::stable_sort(pairs.begin(), pairs.end(),
                    [&level](const auto& p, const auto& q) { return level(p) < level(q); });

@@ -32,16 +32,16 @@ S impulse_rounding(const std::vector<RigidBody<S>>& bodies,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const PreparedContact<S>& p = contacts[i];
     for (const bool first : {true, false}) {
-      const std::size_t place = index(first ? p.contact.a : p.contact.b);
-      const RigidBody<S>& body = bodies[place];
+      const std::size_t body_index = index(first ? p.contact.a : p.contact.b);
+      const RigidBody<S>& body = bodies[body_index];
       const Vector3<S> lever_arm = p.contact.point - body.position;
       for (std::size_t k = 0; k < 3; ++k) {
         const Vector3<S>& turn = first ? p.angular_a[k] : p.angular_b[k];
-        changes[place] +=
+        changes[body_index] +=
             std::abs(impulses[i][k]) *
             (body.inverse_mass + std::sqrt(S(turn.dot(turn)) * S(lever_arm.dot(lever_arm))));
       }
-      most = std::max(most, changes[place]);
+      most = std::max(most, changes[body_index]);
     }
   }
   return S(256) * std::numeric_limits<S>::epsilon() * most;

@@ -11,11 +11,11 @@
 
 #include "blocks.hpp"
 
-constexpr std::size_t most_balls = 7;
+constexpr std::size_t max_balls = 7;
 constexpr double ball_mass = 0.25, radius = 0.2;  // kg, m
 constexpr double impact = 1, last_time = 1.8;     // s
 constexpr double least = 1e-6;                    // m/s: what counts as a motion
-constexpr int most_collisions = 2000;
+constexpr int max_collisions = 2000;
 
 struct Input {
   double balls;        // how many
@@ -31,8 +31,8 @@ struct Output {
   double impact;                 // time of the impact, s
   // One pair after the other, and all at once: velocities after the impact, m/s; positions, m, and
   // velocities, m/s, at the time.
-  std::array<double, most_balls> one_after, once_after;
-  std::array<double, most_balls> one_position, once_position, one_velocity, once_velocity;
+  std::array<double, max_balls> one_after, once_after;
+  std::array<double, max_balls> one_position, once_position, one_velocity, once_velocity;
   double one_leave, once_leave;    // balls that move after the impact
   double collisions;               // of pairs
   double one_energy, once_energy;  // over that before
@@ -44,7 +44,7 @@ Output compute(const Input& in) {
   if (in.restitution > 1) out.problem = contact::figure::too_large;
   if (in.restitution < 0) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
-  const std::size_t n = blocks::whole(in.balls, 2, double(most_balls));
+  const std::size_t n = blocks::whole(in.balls, 2, double(max_balls));
   const std::size_t k = blocks::whole(in.moving, 1, double(n - 1));
   std::vector<contact::LineBody<double>> line;
   std::vector<blocks::Body> bodies;
@@ -56,13 +56,13 @@ Output compute(const Input& in) {
         blocks::block(ball_mass, blocks::Vector::Zero(), blocks::Vector(velocity, 0, 0)));
     if (i == 0) continue;
     // Only the pair that meets approaches before, and it has to separate.
-    const double least_velocity = i == k ? in.restitution : 0;
+    const double min_velocity = i == k ? in.restitution : 0;
     contacts.push_back(
-        {int(i), int(i) - 1, blocks::Vector::Zero(), blocks::Vector(1, 0, 0), 0, least_velocity});
+        {int(i), int(i) - 1, blocks::Vector::Zero(), blocks::Vector(1, 0, 0), 0, min_velocity});
   }
   // [row]
-  const auto one_by_one = contact::collide_row(line, in.restitution,
-                                               contact::PairOrder::left_to_right, most_collisions);
+  const auto one_by_one =
+      contact::collide_row(line, in.restitution, contact::PairOrder::left_to_right, max_collisions);
   const auto impulses = contact::complementary_impulses<double>(bodies, contacts);
   if (impulses) bodies = contact::after_normal_impulses(bodies, contacts, *impulses);
   // [/row]

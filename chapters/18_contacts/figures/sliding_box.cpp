@@ -18,8 +18,8 @@ using Point = contact::Vector2<double>;
 constexpr std::size_t samples = 61, directions = 31;
 constexpr double last_time = 1.2;  // s
 constexpr double radians_in_degree = 0.017453292519943295;
-constexpr double at_rest = 1e-9;       // m/s
-constexpr double most_steps = 20'000;  // until the box is at rest
+constexpr double at_rest = 1e-9;      // m/s
+constexpr double max_steps = 20'000;  // until the box is at rest
 
 struct Input {
   double speed;      // at the start, m/s
@@ -124,7 +124,7 @@ Output compute(const Input& in) {
   const double deceleration = in.friction * blocks::gravity;
   out.formula = in.speed * in.speed / (2 * deceleration);
   out.duration = in.speed / deceleration;
-  if (out.duration * in.rate > most_steps) out.problem = contact::figure::too_large;
+  if (out.duration * in.rate > max_steps) out.problem = contact::figure::too_large;
   if (out.problem != 0) return out;
   const auto unit = [](double degrees) {
     const auto turn = contact::sine_cosine(degrees * radians_in_degree);

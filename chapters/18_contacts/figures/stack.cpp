@@ -9,11 +9,11 @@
 
 #include "blocks.hpp"
 
-constexpr std::size_t most_boxes = 10, stack_steps = 180;
+constexpr std::size_t max_boxes = 10, stack_steps = 180;
 constexpr double side = 0.5, step_rate = 60;  // m, 1/s
 constexpr double goal = 0.01;                 // m
 constexpr double settled = 1e-9;              // m/s
-constexpr int most_iterations = 2000;
+constexpr int max_iterations = 2000;
 
 struct Input {
   double boxes;       // how many
@@ -28,7 +28,7 @@ struct Output {
   double boxes, side, goal;  // how many; m; how far the question lets the stack sink, m
   // By box or by the contact below it, from the lowest, at the time: heights of the lower edges, m;
   // impulses of the step, and those that would carry what is above, N·s.
-  std::array<double, most_boxes> lower, load, weight;
+  std::array<double, max_boxes> lower, load, weight;
   // How far the highest box is too low after each step, m.
   std::array<double, stack_steps + 1> sunk_from_zero, sunk_warm;
   double sunk_now;  // m
@@ -70,13 +70,13 @@ blocks::Contacts stack_contacts(const std::vector<Body>& bodies) {
 /// What is drawn of a stack that starts its steps in one of the two ways.
 struct Stack {
   std::array<double, stack_steps + 1> sunk{};
-  std::array<double, most_boxes> lower{}, load{};
+  std::array<double, max_boxes> lower{}, load{};
   double residual = 0;
 };
 
 Stack follow(const Input& in, bool warm) {
   Stack result;
-  const std::size_t n = blocks::whole(in.boxes, 1, double(most_boxes));
+  const std::size_t n = blocks::whole(in.boxes, 1, double(max_boxes));
   const std::size_t shown = blocks::whole(in.time * step_rate, 0, double(stack_steps));
   std::vector<Body> bodies = stack_of(n, in.ratio);
   blocks::Settings settings;
@@ -108,7 +108,7 @@ double needed_from_zero(std::size_t n, double ratio) {
   std::vector<Body> bodies = stack_of(n, ratio);
   blocks::fall(bodies, h);
   blocks::Settings settings;
-  settings.iterations = most_iterations;
+  settings.iterations = max_iterations;
   settings.tolerance = settled;
   const auto report = contact::solve_contacts(bodies, stack_contacts(bodies), {}, settings).report;
   return report.residual <= settled * 1.01 ? report.iterations : -1;
@@ -122,7 +122,7 @@ Output compute(const Input& in) {
   if (in.ratio > 1e4) out.problem = contact::figure::too_large;
   if (out.problem == 0 && in.ratio < 1e-4) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
-  const std::size_t n = blocks::whole(in.boxes, 1, double(most_boxes));
+  const std::size_t n = blocks::whole(in.boxes, 1, double(max_boxes));
   const Stack from_zero = follow(in, false), warm = follow(in, true);
   const Stack& shown = in.warm < 0.5 ? from_zero : warm;
   out.boxes = double(n);

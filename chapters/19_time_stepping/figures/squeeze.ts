@@ -75,8 +75,8 @@ export default defineFigure<Input, Output>({
       });
     }
     if (output.problem) return;
-    const line = (places: readonly number[]): Vec2[] =>
-      output.time.map((t, i): Vec2 => [t, low(places[i] ?? 0)]);
+    const line = (positions: readonly number[]): Vec2[] =>
+      output.time.map((t, i): Vec2 => [t, low(positions[i] ?? 0)]);
     scene.path(line(output.inner_at), { role: "a", width: 2.2 });
     scene.path(line(output.outer_at), { role: "b", width: 2.2 });
     for (const [i, t] of output.sample_time.entries()) {

@@ -17,7 +17,7 @@ constexpr double two_swings = 12.566370614359172;  // 4π
 
 struct Output {
   double problem;
-  std::array<double, points> place, speed;  // after each step; the last is repeated
+  std::array<double, points> positions, speed;  // after each step; the last is repeated
   std::array<double, 97> round_x, round_y;  // the exact motion, for one period
   double steps;                             // in two periods
   double kept;                              // energy after these, over that of the start
@@ -51,7 +51,7 @@ Output compute(const Input& in) {
   }
   for (int i = 0; i < points; ++i) {
     if (i > 0 && i <= steps) now = contact::motion_step(integrator, now, in.step, spring);
-    out.place[static_cast<std::size_t>(i)] = now.position;
+    out.positions[static_cast<std::size_t>(i)] = now.position;
     out.speed[static_cast<std::size_t>(i)] = now.velocity;
     out.largest = std::max(out.largest, contact::spring_energy(spring, now) / energy);
   }
@@ -66,5 +66,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(start, step, integrator), Output,
-       FIELDS(problem, place, speed, round_x, round_y, steps, kept, largest, last, truth, off,
+       FIELDS(problem, positions, speed, round_x, round_y, steps, kept, largest, last, truth, off,
               flies_away))

@@ -9,7 +9,7 @@ interface Input {
 }
 
 interface Output {
-  place: readonly number[];
+  positions: readonly number[];
   speed: readonly number[];
   round_x: readonly number[];
   round_y: readonly number[];
@@ -73,7 +73,7 @@ export default defineFigure<Input, Output>({
       output.round_x.map((x, i): Vec2 => [x, output.round_y[i] ?? 0]),
       { role: "normal", width: 2, dashed: true },
     );
-    const path = output.place
+    const path = output.positions
       .slice(0, output.steps + 1)
       .map((x, i): Vec2 => [cut(x), cut(output.speed[i] ?? 0)]);
     scene.path(path, { role: "ball", width: 1.6 });

@@ -90,9 +90,9 @@ Output compute(const Input& in) {
     const double until = times[static_cast<std::size_t>(flight) + 1];
     for (int i = 1; i <= pieces; ++i) {
       const double t = begin + (until - begin) * i / pieces;
-      const V place = after(t, max_shown + 1).state.position;
-      out.x[at] = place.x();
-      out.y[at++] = place.y();
+      const V centre_then = after(t, max_shown + 1).state.position;
+      out.x[at] = centre_then.x();
+      out.y[at++] = centre_then.y();
     }
   }
   for (; at < points; ++at) {

@@ -24,9 +24,9 @@ const ABOUT = "contact-submission.json";
 const PROGRESS = "work/progress.json";
 const CODE = /^work\/(.+)\.cpp$/;
 /** No solution is longer; an archive with a longer file is not a reader's. */
-const MOST_BYTES = 1 << 20;
-const MOST_FILES = 1000;
-const MOST_UNPACKED = 20 * 1024 * 1024;
+const MAX_BYTES = 1 << 20;
+const MAX_FILES = 1000;
+const MAX_UNPACKED = 20 * 1024 * 1024;
 
 export interface Imported {
   /** Exercises whose code is now the archive's. The former text is an earlier version of each in
@@ -107,9 +107,9 @@ function open(bytes: Uint8Array): Contents {
     if (name.endsWith("/")) return false;
     count += 1;
     const known = name === ABOUT || name === PROGRESS || isExerciseId(CODE.exec(name)?.[1] ?? "");
-    if (known && originalSize <= MOST_BYTES && count <= MOST_FILES) {
+    if (known && originalSize <= MAX_BYTES && count <= MAX_FILES) {
       unpacked += originalSize;
-      if (unpacked > MOST_UNPACKED) throw new ArchiveError("This archive unpacks to over 20 MB.");
+      if (unpacked > MAX_UNPACKED) throw new ArchiveError("This archive unpacks to over 20 MB.");
       return true;
     }
     ignored.push(name);
@@ -137,13 +137,13 @@ function open(bytes: Uint8Array): Contents {
 
 const TIME = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,9})?Z$/;
 /** An upper limit on attempts. */
-const MOST_COUNTED = 1e6;
+const MAX_COUNTED = 1e6;
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 const isTime = (value: unknown): value is string => typeof value === "string" && TIME.test(value);
 const clamped = (value: unknown): number =>
-  typeof value === "number" ? Math.min(Math.max(value, 0), MOST_COUNTED) : 0;
+  typeof value === "number" ? Math.min(Math.max(value, 0), MAX_COUNTED) : 0;
 
 function soundTimes(passedAs: object): Record<string, string> {
   return Object.fromEntries(

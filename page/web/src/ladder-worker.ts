@@ -4,7 +4,7 @@ import { type Ladder, type LadderResult, loadLadder } from "../../wasm/loader.ts
 import type { LadderRow, WorkerMessage } from "./ladder-data.ts";
 import { knownError } from "./ladder-measure.ts";
 
-const MOST_INPUTS = 2000;
+const MAX_INPUTS = 2000;
 const FEWEST_INPUTS = 16;
 const SECONDS = 10;
 const PASSES = 8; // of each method in `run`
@@ -59,7 +59,7 @@ function inputsFor(
   for (const m of methods) ladder.pass(m);
   const cost = (prepared - start + PASSES * (performance.now() - prepared)) / 1000;
   const n = Math.floor((FEWEST_INPUTS * Math.max(0, share)) / cost);
-  return Math.min(MOST_INPUTS, Math.max(FEWEST_INPUTS, n));
+  return Math.min(MAX_INPUTS, Math.max(FEWEST_INPUTS, n));
 }
 
 function rowFrom(result: LadderResult, family: string, method: string): LadderRow {

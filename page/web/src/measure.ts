@@ -7,7 +7,7 @@ import type { FigureModel } from "./model.ts";
 
 /** A time is the least of several, until these have taken so many ms together. */
 const ENOUGH = 30;
-const MOST_CALLS = 20;
+const MAX_CALLS = 20;
 
 type Measure = Extract<Control<Fields>, { kind: "measure" }>;
 
@@ -43,7 +43,7 @@ function time(call: () => unknown): number {
   call(); // what is made once is made now
   let least = Number.POSITIVE_INFINITY;
   let total = 0;
-  for (let calls = 0; calls < MOST_CALLS && total < ENOUGH; calls++) {
+  for (let calls = 0; calls < MAX_CALLS && total < ENOUGH; calls++) {
     const began = performance.now();
     const times = Number(call());
     const ms = performance.now() - began;

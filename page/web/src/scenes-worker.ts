@@ -6,7 +6,7 @@ import { MORE, Simulation, STUCK } from "./scenes/simulation.ts";
 
 const SLICE = 15; // ms
 /** More would keep the page busy with drawing. */
-const MOST_BODIES = 20_000;
+const MAX_BODIES = 20_000;
 
 const scope = globalThis as unknown as {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
@@ -55,9 +55,9 @@ function open(text: string, file: string, overrides: Overrides): void {
     return;
   }
   const bodies = opened.scene.bodies.length;
-  if (bodies > MOST_BODIES) {
+  if (bodies > MAX_BODIES) {
     if (last) simulation!.open(...last, { with: [], without: [] });
-    const most = `the page draws at most ${MOST_BODIES}; contact simulate runs more`;
+    const most = `the page draws at most ${MAX_BODIES}; contact simulate runs more`;
     const lines = `${file}: bodies: there are ${bodies}, and ${most}`;
     send({ kind: "wrong", lines });
     return;

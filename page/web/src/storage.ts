@@ -59,7 +59,7 @@ export const allAnswers = readAll;
 
 const NAME = /^\d\d_[a-z][a-z0-9_]*\/[a-z0-9][a-z0-9_-]*$/;
 const TIME = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,9})?Z$/;
-const MOST_TRIES = 1e6;
+const MAX_TRIES = 1e6;
 /** A reader writes a few sentences; a longer answer is not one. */
 const LONGEST = 20_000;
 
@@ -86,7 +86,7 @@ export function takeAnswers(theirs: unknown): void {
     const ours = isAnswer(all[id]) ? all[id] : undefined;
     const later = !ours || entry.at.slice(0, 19) > ours.at.slice(0, 19) ? entry : ours;
     const most = Math.max(entry.tries, ours?.tries ?? 0, 0);
-    all[id] = { ...later, tries: Math.trunc(Math.min(most, MOST_TRIES)) };
+    all[id] = { ...later, tries: Math.trunc(Math.min(most, MAX_TRIES)) };
   }
   writeAll(all);
 }

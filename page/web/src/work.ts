@@ -15,7 +15,7 @@ export const FORMS_PREFIX = `${ROOT}forms/`;
 export const VERDICT_PREFIX = `${ROOT}verdict/`;
 
 export const PROGRESS_FORMAT = "contact-progress/1";
-export const MOST_VERSIONS = 20;
+export const MAX_VERSIONS = 20;
 
 /** Why a text was put aside. */
 export type Why = "reset" | "solution" | "form" | "import" | "other-tab" | "checked";
@@ -214,7 +214,7 @@ function withVersion(kept: readonly Version[], version: Version): readonly Versi
   const said = kept.find(({ text }) => text === version.text)?.said;
   const others = kept.filter(({ text }) => text !== version.text);
   const all = [said ? { ...version, said } : version, ...others];
-  while (all.length > MOST_VERSIONS) {
+  while (all.length > MAX_VERSIONS) {
     const stays = treasured(all);
     const spare = all.filter((one) => !stays.has(one));
     const checked = spare.filter(({ why }) => why === "checked");

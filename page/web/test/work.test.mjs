@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { load } from "./load.mjs";
 
-const { WorkStore, fingerprint, isExerciseId, MOST_VERSIONS, PROGRESS_KEY, CODE_PREFIX } =
+const { WorkStore, fingerprint, isExerciseId, MAX_VERSIONS, PROGRESS_KEY, CODE_PREFIX } =
   await load("work.ts");
 
 const ID = "02_triangles/ray_triangle";
@@ -83,7 +83,7 @@ test("twenty versions are kept, and what was put aside by hand outlives checks",
     store.keep(ID, "checked");
   }
   const kept = texts(store.versions(ID));
-  assert.equal(kept.length, MOST_VERSIONS);
+  assert.equal(kept.length, MAX_VERSIONS);
   assert.equal(kept[0], "check 30");
   assert.equal(kept.at(-2), "check 12");
   assert.equal(kept.at(-1), "before the reset");
@@ -98,7 +98,7 @@ test("when all versions were put aside by hand the oldest goes, and the new one 
   store.save(ID, "checked", "s");
   store.keep(ID, "checked");
   const kept = texts(store.versions(ID));
-  assert.equal(kept.length, MOST_VERSIONS);
+  assert.equal(kept.length, MAX_VERSIONS);
   assert.deepEqual([kept[0], kept.at(-1)], ["checked", "reset 3"]);
 });
 
@@ -120,11 +120,11 @@ test("what passed outlives any number of checks that do not compile", () => {
   check(store, "the last pass", PASSED);
   for (let n = 1; n <= 30; n += 1) check(store, `broken ${n}`, BROKEN);
   const kept = texts(store.versions(ID));
-  assert.equal(kept.length, MOST_VERSIONS);
+  assert.equal(kept.length, MAX_VERSIONS);
   assert.deepEqual(kept.slice(-4), ["broken 14", "the last pass", "most points", "an early pass"]);
   for (let n = 1; n <= 30; n += 1) check(store, `failed ${n}`, FAILED);
   const later = texts(store.versions(ID));
-  assert.equal(later.length, MOST_VERSIONS);
+  assert.equal(later.length, MAX_VERSIONS);
   assert.deepEqual(later.slice(-3), ["failed 13", "the last pass", "most points"]);
 });
 

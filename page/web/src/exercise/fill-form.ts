@@ -12,7 +12,7 @@ export interface FillForm {
   missing(): string | undefined;
 }
 
-const LEAST_WIDTH = 12;
+const MIN_WIDTH = 12;
 
 export function fillForm(data: FormData, gaps: readonly string[], changed: () => void): FillForm {
   const [first, ...after] = aroundGaps(data);
@@ -29,7 +29,7 @@ export function fillForm(data: FormData, gaps: readonly string[], changed: () =>
     });
     field.value = gaps[at] ?? "";
     const fit = (): void => {
-      field.style.width = `${Math.max(LEAST_WIDTH, field.value.length + 1)}ch`;
+      field.style.width = `${Math.max(MIN_WIDTH, field.value.length + 1)}ch`;
     };
     field.addEventListener("input", () => {
       fit();

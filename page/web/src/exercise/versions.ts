@@ -1,7 +1,7 @@
 // "Earlier versions": what was put aside, newest first, each with a button that brings it back.
 
 import { button, html } from "../dom.ts";
-import { MOST_VERSIONS, type Said, type Version, type Why } from "../work.ts";
+import { MAX_VERSIONS, type Said, type Version, type Why } from "../work.ts";
 import { number } from "./points.ts";
 
 const REASONS: Record<Why, string> = {
@@ -13,7 +13,7 @@ const REASONS: Record<Why, string> = {
   "other-tab": "from one of two tabs",
 };
 
-const MOST = `At most ${MOST_VERSIONS} are kept, always with the last that passed and the one with the most points.`;
+const MOST = `At most ${MAX_VERSIONS} are kept, always with the last that passed and the one with the most points.`;
 
 /** A time as the reader's own clock has it. */
 export function when(iso: string, seconds = false): string {
