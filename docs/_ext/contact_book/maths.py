@@ -74,8 +74,13 @@ def _rendered(translator: HTML5Translator, node: nodes.Element, display: bool) -
         return f"<code>{translator.encode(tex)}</code>"
 
 
+# Of TeX: a shorter formula in a line of text is not divided at the line's end.
+_LONGEST_WHOLE = 30
+
+
 def visit_inline(translator: HTML5Translator, node: nodes.math) -> None:
-    translator.body.append(f'<span class="math">{_rendered(translator, node, False)}</span>')
+    whole = " whole" if len(node.astext().strip()) <= _LONGEST_WHOLE else ""
+    translator.body.append(f'<span class="math{whole}">{_rendered(translator, node, False)}</span>')
     raise nodes.SkipNode
 
 
