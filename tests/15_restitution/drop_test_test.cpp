@@ -49,7 +49,7 @@ TEST_CASE("k is a ratio of speeds") {
   check_restitution(3, 0);
 }
 
-TEST_CASE("one bounce takes the square of k") {
+TEST_CASE("one bounce multiplies the height by k squared") {
   check_height(1, 0.5, 1);
   check_height(2, 0.75, 1);
   check_height(2, 0.75, 0);

@@ -159,7 +159,7 @@ export default defineFigure<Input, Output>({
     if (turn) {
       scene.line(turn[0], turn[1], { role: "normal", width: 1.5, dashed: true });
       const end = turn[0][0] < turn[1][0] ? turn[0] : turn[1];
-      scene.label(end, "compression", { role: "normal", offset: [-4, -8], size: "small" });
+      scene.label(end, "end of compression", { role: "normal", offset: [-4, -8], size: "small" });
     }
     const points = output.along.map((p, k): Vec2 => position(p, output.up[k] ?? 0));
     scene.path(points, { role: "b", width: 3 });

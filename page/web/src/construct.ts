@@ -29,7 +29,7 @@ export function constructAsker(question: Construct): Asker {
         ? "Move the figure of this page until it does what is asked."
         : value >= 1
           ? "The figure does what is asked now."
-          : "The figure does not do what is asked yet.";
+          : "What is asked is not reached yet: change the figure.";
   }
   show();
   document.addEventListener("contact-change", (event) => {
@@ -46,7 +46,7 @@ export function constructAsker(question: Construct): Asker {
           say: "The figure of this question is not loaded; scroll to it first.",
         };
       const right = value >= 1;
-      return { right, kept: right, say: right ? "" : "The figure does not do what is asked yet." };
+      return { right, kept: right, say: right ? "" : "What is asked is not reached yet: change the figure." };
     },
     lock() {},
     focus: () => go.focus(),
