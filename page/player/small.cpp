@@ -6,11 +6,13 @@
 #include <src/plan_contact.cpp>
 #include <src/plan_expected.cpp>
 #include <src/plan_horizon.cpp>
+#include <src/plan_hypotheses.cpp>
 #include <src/plan_json.cpp>
 #include <src/plan_motion.cpp>
 #include <src/plan_pairs.cpp>
 #include <src/plan_savings.cpp>
 #include <src/plan_shapes.cpp>
+#include <src/plan_spreading.cpp>
 #include <src/plan_text.cpp>
 #include <src/plan_time.cpp>
 #include <src/plan_types.cpp>

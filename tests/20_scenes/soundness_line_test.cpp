@@ -362,7 +362,10 @@ TEST_CASE("on a line of fractions steps end at the exact positions, after as man
     const contact::Plan plan = contact::plan_scene(scene, options);
     CAPTURE(n, dyadic);
     REQUIRE(plan.error <= *scene.tolerance.position);
-    REQUIRE_FALSE(contact::decision_on(plan, Effect::horizon).on);
+    // Of different masses the plan cannot prove that no two hits are at one instant: its horizon is
+    // then a time before which none can be. Here none is.
+    const contact::Decision& horizon = contact::decision_on(plan, Effect::horizon);
+    REQUIRE((!horizon.on || horizon.value));
     const auto run = contact::scenes::make_run(scene, plan);
     REQUIRE_FALSE(run->event_driven());
     ExactLine line(bodies, length);

@@ -13,7 +13,9 @@
 #include <contact/invalid_argument.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_costs.hpp>
+#include <contact/plan/plan_hypotheses.hpp>
 #include <contact/plan/plan_rules.hpp>
+#include <contact/plan/plan_spreading.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
@@ -110,8 +112,10 @@ CONTACT_SCENES_INLINE void add_notices(const PlanInput& q, Plan& plan) {
   const Decision& horizon = decision_on(plan, Effect::horizon);
   if (horizon.value && *horizon.value < q.scene->duration) {
     plan.notices.push_back("The tolerance holds up to about t = " + short_number(*horizon.value) +
-                           " s, by an estimate on the safe side; after that only conserved "
-                           "quantities and statistics do.");
+                           " s, " +
+                           (at_most_one_hit(q) ? "by a bound, as the two meet once"
+                                               : "by an estimate for typical hits, not a bound") +
+                           "; after that only conserved quantities and statistics do.");
   }
   if (horizon.on && !horizon.value && q.bounds.movers > 0)
     plan.notices.push_back("Until when the tolerance holds is not known. " + horizon.why);
@@ -177,7 +181,8 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
                                "is a value; it is not switched on or off");
     }
   }
-  PlanInput q = plan_input(scene);
+  for (const std::string& id : options.dropped) proof_hypothesis(id);
+  PlanInput q = plan_input(scene, options.dropped);
   Plan plan;
   plan.tolerance = q.tolerance;
   plan.decisions.resize(all_effects.size());

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_hypotheses.hpp>
+#include <contact/plan/plan_spreading.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
@@ -117,13 +119,25 @@ CONTACT_SCENES_INLINE double max_partners(const PlanInput& q) {
 
 // [several-contacts-rule]
 CONTACT_SCENES_INLINE Decision plan_several_contacts(const PlanInput& q) {
-  return decide(Effect::several_contacts,
-                {{"A ball touches another body at one point; with one partner it has one contact.",
-                  {{"most bodies that one moving body may touch", max_partners(q),
-                    Relation::at_most, 1, "one contact", ""},
-                   {"moving bodies other than balls that may touch something",
-                    touching_non_balls(q), Relation::equal, 0, "none", ""}}}},
-                "Not proven that no body has two contacts at a time.");
+  Decision decision = decide(Effect::several_contacts,
+                             {{proof_claim("one-contact"),
+                               {required(q, "one-contact/one-partner", max_partners(q), 1),
+                                required(q, "one-contact/only-balls", touching_non_balls(q))}}},
+                             "Not proven that no body has two contacts at a time.");
+  const double together = hits_at_once(q);
+  if (!decision.on || !(together > 0)) return decision;
+  decision.why +=
+      q.events ? " This plan takes hits at one instant one after the other, in an order that "
+                 "the scene does not give; in steps one impulse acts at all contacts at "
+                 "once. The velocities after such a hit may depend on that."
+               : " This plan finds one impulse for all contacts at once; from event to event "
+                 "hits at one instant are taken one after the other, in an order that the "
+                 "scene does not give. The velocities after such a hit may depend on that.";
+  decision.because.push_back(
+      {"pairs that touch at the start, or are hit at the same instant, "
+       "beside others",
+       together, Relation::equal, 0, "none", ""});
+  return decision;
 }
 // [/several-contacts-rule]
 
@@ -200,37 +214,63 @@ CONTACT_SCENES_INLINE BounceRange worst_bounces(const PlanInput& q) {
   return worst;
 }
 
+CONTACT_SCENES_INLINE double earliest_rest(const PlanInput& q) {
+  double rest = detail::infinite;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.half_space || !pair.round || pair.soft) continue;
+    PairBound free = pair;
+    free.apart = true;  // other pairs are a hypothesis of their own
+    rest = std::min(rest, bounce_range(q, free).rest);
+  }
+  return rest;
+}
+
 // [resting-rule]
 CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanInput& q) {
   double hard = 0;
+  double soft = 0;
   double lossy = 0;
   double uneven = 0;
   double touching = 0;
+  double posts = 0;       // fixed balls
+  double lying = 0;       // pairs of a half-space and a body that touches it
+  double other = 0;       // pairs of which no bounce range is known
+  double rough_post = 0;  // fixed balls with friction
   for (const PairBound& pair : q.pairs) {
+    soft += pair.soft ? pair.count : 0;
+    const bool flight = pair.both_move && pair.round && !pair.soft;
+    const bool bounces = pair.half_space && pair.round && !pair.soft;
+    other += flight || bounces ? 0 : pair.count;
+    lying += bounces && !pair.apart ? 1 : 0;
     if (!pair.hard) continue;
+    const bool post = !pair.both_move && !pair.half_space;
     hard += pair.count;
     lossy = std::max(lossy, 1 - pair.min_restitution);
     uneven += pair.round ? 0 : pair.count;
     touching += pair.apart ? 0 : 1;
+    posts += post ? pair.count : 0;
+    rough_post += post && pair.friction > 0 ? pair.count : 0;
   }
-  const BounceRange bounces = worst_bounces(q);
-  return {{"No force presses bodies together, so a lasting contact carries no force.",
-           {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
-            {"moving bodies other than balls that may rotate and touch something",
-             proven_line(q) ? 0.0 : touching_non_balls(q), Relation::equal, 0, "none", ""}}},
-          {"Bodies that never touch, or only through springs, never rest on a hard contact.",
-           {{"hard contacts that may occur", hard, Relation::equal, 0, "none", ""}}},
-          {"Elastic balls leave with the normal speed with which they came. It is 0 only in a "
-           "graze, and there gravity presses only at one exact speed, on a fixed ball.",
-           {{"largest loss of speed, 1 − e, between bodies that may meet", lossy, Relation::equal,
-             0, "elastic", ""},
-            {"pairs that may meet other than balls and half-spaces", uneven, Relation::equal, 0,
-             "none", ""},
-            {"kinds of pairs that touch at the beginning and do not separate", touching,
-             Relation::equal, 0, "none", ""}}},
-          {"The bounces on a half-space end at t₁ + 2 e w/(g (1 − e)), and the scene ends before.",
-           {{"duration", q.scene->duration, Relation::less, bounces.rest,
-             "earliest time at which a ball can rest", "s"}}}};
+  const bool falls = gravity_felt(q) > 0;
+  const double rough = rough_pairs_beside_others(q);
+  return {
+      {proof_claim("weightless"),
+       {required(q, "weightless/no-gravity", gravity_felt(q)),
+        required(q, "weightless/no-turning-shapes", proven_line(q) ? 0.0 : touching_non_balls(q)),
+        required(q, "weightless/no-springs", soft)}},
+      {proof_claim("only-springs"), {required(q, "only-springs/no-hard-pairs", hard)}},
+      {proof_claim("elastic-balls"),
+       {required(q, "elastic-balls/elastic", lossy),
+        required(q, "elastic-balls/only-balls", uneven),
+        required(q, "elastic-balls/apart", touching),
+        required(q, "elastic-balls/smooth-beside-others", rough > 0 ? rough : rough_post),
+        required(q, "elastic-balls/no-springs", hard > 0 ? soft : 0.0),
+        required(q, "elastic-balls/no-fixed-balls", falls ? posts : 0.0)}},
+      {proof_claim("last-bounce"),
+       {required(q, "last-bounce/ends-before", q.scene->duration, earliest_rest(q)),
+        required(q, "last-bounce/one-partner", max_partners(q), 1),
+        required(q, "last-bounce/only-half-spaces", other),
+        required(q, "last-bounce/apart", lying)}}};
 }
 
 CONTACT_SCENES_INLINE double max_skipped_bounce(const PlanInput& q) {
@@ -422,41 +462,5 @@ CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanInput& q, dou
   if (decision.on) decision.because = all;
   return decision;
 }
-
-namespace detail {
-
-CONTACT_SCENES_INLINE Room room_of(const Scene& scene) {
-  Room room;
-  Vector3<double> low = Vector3<double>::Constant(infinite);
-  Vector3<double> high = Vector3<double>::Constant(-infinite);
-  Vector3<double> floor = Vector3<double>::Constant(-infinite);
-  Vector3<double> ceiling = Vector3<double>::Constant(infinite);
-  std::vector<double> diameters;
-  for (const SceneBody& body : scene.bodies) {
-    if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) {
-      const int axis = level_axis(wall->normal);
-      if (axis < 0) continue;
-      if (wall->normal(axis) > 0) floor(axis) = std::max(floor(axis), wall->offset);
-      if (wall->normal(axis) < 0) ceiling(axis) = std::min(ceiling(axis), -wall->offset);
-    }
-    if (!body.moves) continue;
-    const double radius = outer_radius(body.shape);
-    diameters.push_back(2 * radius);
-    room.widest = std::max(room.widest, 2 * radius);
-    low = low.cwiseMin(body.position - Vector3<double>::Constant(radius));
-    high = high.cwiseMax(body.position + Vector3<double>::Constant(radius));
-  }
-  if (diameters.empty()) return room;
-  const auto n = static_cast<double>(diameters.size());
-  room.mean = sorted_sum(std::move(diameters)) / n;
-  for (int k = 0; k < 3; ++k) {
-    const bool walled = std::isfinite(floor(k)) && std::isfinite(ceiling(k));
-    room.walled[static_cast<std::size_t>(k)] = walled;
-    room.size(k) = std::max(walled ? ceiling(k) - floor(k) : high(k) - low(k), room.widest);
-  }
-  return room;
-}
-
-}  // namespace detail
 
 }  // namespace contact

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,8 @@
 #include <contact/convex_hull.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_hypotheses.hpp>
+#include <contact/plan/plan_spreading.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
@@ -27,6 +30,38 @@
 namespace contact {
 
 namespace detail {
+
+CONTACT_SCENES_INLINE Room room_of(const Scene& scene) {
+  Room room;
+  Vector3<double> low = Vector3<double>::Constant(infinite);
+  Vector3<double> high = Vector3<double>::Constant(-infinite);
+  Vector3<double> floor = Vector3<double>::Constant(-infinite);
+  Vector3<double> ceiling = Vector3<double>::Constant(infinite);
+  std::vector<double> diameters;
+  for (const SceneBody& body : scene.bodies) {
+    if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) {
+      const int axis = level_axis(wall->normal);
+      if (axis < 0) continue;
+      if (wall->normal(axis) > 0) floor(axis) = std::max(floor(axis), wall->offset);
+      if (wall->normal(axis) < 0) ceiling(axis) = std::min(ceiling(axis), -wall->offset);
+    }
+    if (!body.moves) continue;
+    const double radius = outer_radius(body.shape);
+    diameters.push_back(2 * radius);
+    room.widest = std::max(room.widest, 2 * radius);
+    low = low.cwiseMin(body.position - Vector3<double>::Constant(radius));
+    high = high.cwiseMax(body.position + Vector3<double>::Constant(radius));
+  }
+  if (diameters.empty()) return room;
+  const auto n = static_cast<double>(diameters.size());
+  room.mean = sorted_sum(std::move(diameters)) / n;
+  for (int k = 0; k < 3; ++k) {
+    const bool walled = std::isfinite(floor(k)) && std::isfinite(ceiling(k));
+    room.walled[static_cast<std::size_t>(k)] = walled;
+    room.size(k) = std::max(walled ? ceiling(k) - floor(k) : high(k) - low(k), room.widest);
+  }
+  return room;
+}
 
 /// The path of a body from hit to hit.
 struct FreePath {
@@ -177,42 +212,40 @@ CONTACT_SCENES_INLINE double oblique_walls(const PlanInput& q) {
   return walls.size() > 1 ? slanting : 0;
 }
 
-/// The number of pairs with friction where a body may meet more than one other.
-CONTACT_SCENES_INLINE double frictional_pairs_among_several(const PlanInput& q) {
-  double rubbing = 0;
-  for (const PairBound& pair : q.pairs) rubbing += pair.friction > 0 ? pair.count : 0;
-  return max_partners(q) > 1 ? rubbing : 0;
+/// Whether bodies fall and bounce on a line.
+CONTACT_SCENES_INLINE bool bounces_under_gravity(const PlanInput& q) {
+  double rebound = 0;
+  for (const PairBound& pair : q.pairs)
+    rebound = std::max(rebound, pair.soft ? 1.0 : pair.max_restitution);
+  return gravity_felt(q) > 0 && rebound > 0;
 }
 
 /// The proofs that small differences grow no faster than time, if they hold.
 CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanInput& q, bool turning) {
   double lenses = 0;
   for (const PairBound& pair : q.pairs) lenses += pair.half_space ? 0 : pair.count;
-  const Inequality corners{"moving bodies other than balls that rotate and may touch something",
-                           turning ? touching_non_balls(q) : 0.0,
-                           Relation::equal,
-                           0,
-                           "none",
-                           ""};
+  const double soft = springs_beside_others(q);
+  const double oblique = oblique_walls(q);
   std::vector<Proof> proofs{
-      {"Flat walls do not spread neighbouring paths; rounding errors only add up.",
-       {{"pairs that may meet and of which none is a half-space", lenses, Relation::equal, 0,
-         "none", ""},
-        corners,
-        {"half-spaces neither horizontal nor vertical, beside others", oblique_walls(q),
-         Relation::equal, 0, "none", ""},
-        {"pairs with friction, where a body may meet several", frictional_pairs_among_several(q),
-         Relation::equal, 0, "none", ""}}}};
+      {proof_claim("flat-walls"),
+       {required(q, "flat-walls/no-round-pairs", lenses),
+        required(q, "flat-walls/no-turning-shapes", turning ? touching_non_balls(q) : 0.0),
+        required(q, "flat-walls/level-walls", oblique),
+        required(q, "flat-walls/smooth-beside-others", rough_pairs_beside_others(q)),
+        required(q, "flat-walls/no-springs-beside-others", soft),
+        required(q, "flat-walls/square-corners", oblique > 0 ? 0.0 : corners_of_two_ways(q)),
+        required(q, "flat-walls/no-grazed-ceiling", ceilings_grazed(q))}}};
   if (auto line = proven_line(q)) {
-    line->why = "On a line no hit spreads paths; rounding errors only add up.";
-    line->conditions.push_back(corners);
-    double rebound = 0;
-    for (const PairBound& pair : q.pairs)
-      rebound = std::max(rebound, pair.soft ? 1.0 : pair.max_restitution);
-    const bool columns = gravity_felt(q) > 0 && rebound > 0;
-    line->conditions.push_back({"moving bodies that fall and bounce on the line",
-                                columns ? static_cast<double>(q.bounds.movers) : 0.0,
-                                Relation::at_most, 1, "one alone", ""});
+    const bool columns = bounces_under_gravity(q);
+    line->why = proof_claim("one-line");
+    line->conditions.push_back(
+        required(q, "one-line/one-falls", columns ? static_cast<double>(q.bounds.movers) : 0.0, 1));
+    line->conditions.push_back(required(q, "one-line/no-springs-beside-others", soft));
+    // One that falls alone is hit by fixed bodies only.
+    line->conditions.push_back(
+        required(q, "one-line/equal-or-alone", columns ? 0.0 : hit_from_two_sides(q)));
+    line->conditions.push_back(
+        required(q, "one-line/no-grazed-ceiling", columns ? ceilings_grazed(q) : 0.0));
     proofs.push_back(*line);
   }
   return proofs;
@@ -293,18 +326,85 @@ CONTACT_SCENES_INLINE double first_touch(const PlanInput& q) {
   return first;
 }
 
+CONTACT_SCENES_INLINE bool is_dropped(const PlanInput& q, std::string_view id) {
+  return std::find(q.dropped.begin(), q.dropped.end(), id) != q.dropped.end();
+}
+
+/// The earliest time at which the order of hits, or a graze of a ceiling, may decide where bodies
+/// go. On a line and between flat walls it is a bound; of other balls only the first hits are
+/// examined.
+/// @return s; ∞ where none is known
+CONTACT_SCENES_INLINE double first_decided_by_order(const PlanInput& q) {
+  double until = infinite;
+  const auto by = [&](std::string_view id, double time) {
+    if (!is_dropped(q, id)) until = std::min(until, time);
+  };
+  const bool falls = gravity_felt(q) > 0;
+  bool flat = true;
+  for (const PairBound& pair : q.pairs) flat = flat && pair.half_space;
+  if (proven_line(q)) {
+    if (!bounces_under_gravity(q) && hit_from_two_sides(q) > 0)
+      by("one-line/equal-or-alone", earliest_hits_at_once(q));
+    if (bounces_under_gravity(q) && q.bounds.movers == 1 && ceilings_grazed(q) > 0)
+      by("one-line/no-grazed-ceiling", first_touch(q));
+  } else if (flat) {
+    if (!falls && corners_of_two_ways(q) > 0)
+      by("flat-walls/square-corners", earliest_hits_at_once(q));
+    if (ceilings_grazed(q) > 0) by("flat-walls/no-grazed-ceiling", first_touch(q));
+  } else {
+    by("first-hits/not-at-once", first_hits_at_once(q, first_hits(q, 0)));
+  }
+  return until;
+}
+
+/// What the horizon is computed from.
+struct HorizonGrowth {
+  FreePath path;
+  bool open = false;     ///< nothing confines the balls
+  double pairs = 0;      ///< that may meet
+  double error = 0;      ///< an ulp of the largest coordinate, m
+  double tolerance = 0;  ///< to which it grows, m: the scene's, or a radius
+};
+
+/// The time from the first hit on in which an error grows by a factor, s.
+CONTACT_SCENES_INLINE double growing_time(const PlanInput& q, const HorizonGrowth& of,
+                                          double factor) {
+  const double growth = std::max(1.0, factor);
+  double time = std::log(growth) / spreading(q, of.path);
+  if (of.open) time = std::max(time, horizon_in_the_open(of.path, of.pairs, growth));
+  return std::isnan(time) ? 0 : time;
+}
+
+/// The horizon after a first hit that is more oblique than on average.
+///
+/// The spread of the deflection is computed from the impact parameter and its error. What it is
+/// more than 4/R of the error counts as growth of the error itself; and until the next hit the two
+/// paths diverge at this angle.
+/// @param more set to the growth beside an average hit's
+/// @return s; ∞ if the hit is no more oblique
+CONTACT_SCENES_INLINE double after_oblique_hit(const PlanInput& q, const HorizonGrowth& of,
+                                               const FirstHit& hit, double& more) {
+  const double error = of.error + 4 * std::numeric_limits<double>::epsilon() * hit.speed * hit.time;
+  const double spread = spread_of_deflection(hit, error);
+  more = spread * hit.radius / (4 * error);
+  if (!(more > 1)) return infinite;
+  const double straight = std::max(0.0, of.tolerance - error) / (spread * hit.speed);
+  return hit.time + std::min(straight, growing_time(q, of, of.tolerance / error / more));
+}
+
 }  // namespace detail
 
-/// Until when positions can be predicted: an estimate on the safe side, not a proof.
+/// Until when positions can be predicted: an estimate for typical hits.
 ///
 /// Two balls spread an error as a lens does: an error perpendicular to the path grows by about 1 +
 /// 2 λ/(R cos θ) from hit to hit, with the flight λ and the sum R of the radii; the mean of 1/cos θ
 /// over all directions of impact is 2. So an ulp of the largest coordinate grows to the tolerance,
-/// at v/λ hits a second; the largest error of many balls faster. Falling spreads too, where walls
-/// are oblique or masses differ: by a factor e in at least a third of the time v/g. Flat walls
-/// alone do not spread, and on a line without gravity nothing does: there rounding errors only add
-/// up. For rotating bodies with vertices no estimate is known. All of this begins with the first
-/// hit.
+/// at v/λ hits a second; the largest error of many balls faster. Of the first hits the obliqueness
+/// is computed from the scene; of later ones it is not known, so only where a pair meets once is
+/// this a bound. Falling spreads too, where walls are oblique or masses differ: by a factor e in at
+/// least a third of the time v/g. Flat walls alone do not spread, and on a line without gravity
+/// nothing does: there rounding errors only add up, until hits may be at the same instant. For
+/// rotating bodies with vertices no estimate is known. All of this begins with the first hit.
 /// @param turning whether the plan has rotation
 CONTACT_SCENES_INLINE Decision plan_horizon(const PlanInput& q, bool turning) {
   Decision decision = decide(Effect::horizon, detail::nothing_spreads(q, turning),
@@ -314,37 +414,64 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanInput& q, bool turning) {
     decision.why = "Not known: a rotating body with vertices may diverge from its twin at any hit.";
     return decision;
   }
-  const detail::FreePath path = detail::free_path(q);
-  if (!(path.speed > 0) || !std::isfinite(path.speed)) {
+  detail::HorizonGrowth of;
+  of.path = detail::free_path(q);
+  if (!(of.path.speed > 0) || !std::isfinite(of.path.speed)) {
     decision.why = "Not proven: nothing moves at first, so the rate of hits is not known.";
     return decision;
   }
-  bool open = !(gravity_felt(q) > 0);
-  double pairs = 0;
+  of.open = !(gravity_felt(q) > 0);
   for (const PairBound& pair : q.pairs) {
-    open = open && pair.both_move;
-    pairs += pair.count;
+    of.open = of.open && pair.both_move;
+    of.pairs += pair.count;
   }
   // [horizon-rule]
-  double size = path.length;
+  double size = of.path.length;
   double least = detail::infinite;
   for (const SceneBody& body : q.scene->bodies) {
     if (!body.moves) continue;
     size = std::max(size, body.position.cwiseAbs().maxCoeff());
     least = std::min(least, outer_radius(body.shape));
   }
-  const double error = size * std::numeric_limits<double>::epsilon();
-  const double growth = std::max(1.0, (q.tolerance > 0 ? q.tolerance : least) / error);
-  double time = std::log(growth) / detail::spreading(q, path);
-  if (open) time = std::max(time, detail::horizon_in_the_open(path, pairs, growth));
+  of.error = size * std::numeric_limits<double>::epsilon();
+  of.tolerance = q.tolerance > 0 ? q.tolerance : least;
   const double first = detail::first_touch(q);
-  decision.value = first + time;
+  double until = first + detail::growing_time(q, of, of.tolerance / of.error);
   // [/horizon-rule]
+  const bool no_lens =
+      proven_line(q) && !detail::bounces_under_gravity(q) && !(springs_beside_others(q) > 0);
+  if (no_lens) until = detail::infinite;
+  const std::string to = q.tolerance > 0 ? "the tolerance" : "a radius";
+  std::vector<Inequality> shorter;
+  if (!no_lens && !detail::is_dropped(q, "first-hits/obliqueness")) {
+    double oblique = 0;
+    for (const FirstHit& hit : first_hits(q, 8 * of.error)) {
+      double more = 0;
+      const double then = detail::after_oblique_hit(q, of, hit, more);
+      if (!(then < until)) continue;
+      until = then;
+      oblique = more;
+    }
+    if (oblique > 1) shorter.push_back(required(q, "first-hits/obliqueness", oblique, 1));
+  }
+  const double at_once = detail::first_decided_by_order(q);
+  if (at_once < until) {
+    until = at_once;
+    shorter.push_back(required(q, "first-hits/not-at-once", 1));
+    decision.why =
+        "Until hits may be at the same instant, in an order that the scene does not give, or a "
+        "bounce may graze a ceiling.";
+  }
+  if (!std::isfinite(until)) {
+    decision.why = "Not known: no rate is known at which springs or friction spread paths here.";
+    return decision;
+  }
+  decision.value = until;
   decision.because = {
       {"the start", 0, Relation::at_most, first, "earliest possible first touch", "s"},
-      {"time until an ulp has grown to " +
-           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", by 1 + 4 λ/R a hit",
-       first + time, Relation::at_most, q.scene->duration, "duration", "s"}};
+      {"time until an ulp has grown to " + to + ", by 1 + 4 λ/R a hit", until, Relation::at_most,
+       q.scene->duration, "duration", "s"}};
+  decision.because.insert(decision.because.end(), shorter.begin(), shorter.end());
   return decision;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -133,20 +134,24 @@ CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanInput&
     if (!pair.both_move && !detail::is_mirrored(scene.bodies[pair.b], axis)) asymmetric += 1;
     apart = std::max(apart, detail::mirrors_apart_in(q, pair, axis));
   }
-  // [mirror]
   const std::string name = axis_name(axis);
   const double pull = q.table == axis ? 0.0 : std::abs(scene.gravity(axis));
-  return {{q.table == axis ? "gravity along " + name + " that the table does not cancel"
-                           : "gravity along " + name,
-           pull, Relation::equal, 0, "none", "m/s²"},
-          {"fastest motion along " + name + " at the beginning", velocity, Relation::equal, 0,
-           "none", "m/s"},
-          {"largest angular velocity about another axis than " + name, angular_velocity,
-           Relation::equal, 0, "none", "rad/s"},
-          {"bodies not their own mirror image across " + name, asymmetric, Relation::equal, 0,
-           "none", ""},
-          {"farthest that centres of bodies that may meet differ along " + name, apart,
-           Relation::equal, 0, "one common plane", "m"}};
+  const auto along = [&](std::string_view id, double left, const std::string& words) {
+    Inequality condition = required(q, id, left);
+    condition.left_is = words;
+    return condition;
+  };
+  // [mirror]
+  return {
+      along("mirror/no-gravity", pull,
+            "gravity along " + name + (q.table == axis ? " that the table does not cancel" : "")),
+      along("mirror/no-velocity", velocity, "fastest motion along " + name + " at the beginning"),
+      along("mirror/no-rotation", angular_velocity,
+            "largest angular velocity about another axis than " + name),
+      along("mirror/mirrored-shapes", asymmetric,
+            "bodies not their own mirror image across " + name),
+      along("mirror/common-plane", apart,
+            "farthest that centres of bodies that may meet differ along " + name)};
   // [/mirror]
 }
 
@@ -219,8 +224,9 @@ CONTACT_SCENES_INLINE std::vector<PairBound> pairs_off_table(const Scene& scene,
 
 }  // namespace detail
 
-CONTACT_SCENES_INLINE PlanInput plan_input(const Scene& scene) {
+CONTACT_SCENES_INLINE PlanInput plan_input(const Scene& scene, std::vector<std::string> dropped) {
   PlanInput q;
+  q.dropped = std::move(dropped);
   q.scene = &scene;
   q.bounds = scene_bounds(scene);
   q.pairs = q.bounds.pairs;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_spreading.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
@@ -69,11 +70,19 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanInput& q) {
                          0,
                          "none",
                          ""};
+  // The conditions that all proofs here have already are left out: no friction and no springs.
+  const auto add_rest = [](const Proof& rest, std::vector<Inequality>& more) {
+    for (const Inequality& condition : rest.conditions) {
+      if (!condition.hypothesis.ends_with("/no-springs") &&
+          condition.hypothesis != "elastic-balls/smooth-beside-others")
+        more.push_back(condition);
+    }
+  };
   std::vector<Proof> proofs;
   for (const Proof& rest : resting_proofs(q)) {
     if (!is_proven(rest)) continue;
     std::vector<Inequality> more{elastic, clear};
-    more.insert(more.end(), rest.conditions.begin(), rest.conditions.end());
+    add_rest(rest, more);
     proofs.push_back(
         with("Elastic balls that never rest have finitely many hits in a finite time.", more));
     break;
@@ -81,7 +90,7 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanInput& q) {
   if (proofs.empty()) {
     std::vector<Inequality> more{elastic, clear};
     const std::vector<Proof> rest = resting_proofs(q);
-    more.insert(more.end(), rest[2].conditions.begin(), rest[2].conditions.end());
+    add_rest(rest[2], more);
     proofs.push_back(
         with("Elastic balls that never rest have finitely many hits in a finite time.", more));
   }
@@ -113,6 +122,10 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanInput& q) {
                              "Not proven that the number of events is bounded: step by step.");
   // This rule's proofs switch the effect on.
   decision.on = decision.planned = decision.proven;
+  if (!decision.on && touching > 0 && hits_at_once(q) > 0)
+    decision.why +=
+        " From event to event bodies that touch are hit one after the other, in an order that the "
+        "scene does not give; steps find one impulse for all of them at once.";
   return decision;
 }
 // [/event-rule]

@@ -27,6 +27,7 @@
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_costs.hpp>
+#include <contact/plan/plan_hypotheses.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/signed_distance.hpp>
@@ -45,7 +46,13 @@ struct PlanInput {
   bool constant_rotation = false;  ///< no gyroscopic term changes an angular velocity
   bool events = false;             ///< whether the run goes from event to event
   double step = 0;                 ///< s; 0 with events
+  std::vector<std::string> dropped;  ///< hypotheses that proofs leave out, PlanOptions::dropped
 };
+
+/// A condition from the table of hypotheses, for this plan.
+inline Inequality required(const PlanInput& q, std::string_view id, double left, double right = 0) {
+  return required(id, left, right, q.dropped);
+}
 
 /// Compares an error with the rest of the error budget.
 /// @param error of the effect in question, m
@@ -108,7 +115,8 @@ std::optional<Proof> proven_line(const PlanInput& q);
 std::vector<Inequality> table_conditions(const PlanInput& q, int axis);
 
 /// The input of the rules: the bounds, and whether a table cancels gravity.
-PlanInput plan_input(const Scene& scene);
+/// @param dropped hypotheses that proofs leave out: PlanOptions::dropped
+PlanInput plan_input(const Scene& scene, std::vector<std::string> dropped = {});
 
 /// Gravity that no table cancels, m/s².
 inline double gravity_felt(const PlanInput& q) { return q.table >= 0 ? 0.0 : q.bounds.gravity; }
@@ -213,15 +221,20 @@ BounceRange bounce_range(const PlanInput& q, const PairBound& pair);
 /// nothing proven.
 BounceRange worst_bounces(const PlanInput& q);
 
+/// No ball that has one hard half-space as its only partner, and starts apart from it, rests before
+/// this time. Other pairs are not included.
+/// @return s; ∞ if there is no such ball
+double earliest_rest(const PlanInput& q);
+
 /// The proofs that no contact lasts and carries a force.
 ///
 /// Without gravity no force presses bodies together, except a rotating body that pushes another
 /// along: a ball on a rotating rod. Elastic balls leave with the normal speed with which they came.
 /// That is 0 only in a graze. A parabola that grazes a half-space on which gravity presses would
-/// have come from inside. It may graze a fixed ball from outside and then be pressed onto it, but
-/// only if it rises with exactly v² = g R cos θ: this case is neglected. (Simultaneous hits are
-/// left to the rule on several contacts.) And a ball that bounces on one half-space does not rest
-/// before its last bounce.
+/// have come from inside. (It may graze a fixed ball from outside and then be pressed onto it, if
+/// it rises with exactly v² = g R cos θ.) Simultaneous hits are left to the rule on several
+/// contacts. And a ball that bounces on one half-space does not rest before its last bounce. Each
+/// hypothesis is in plan_hypotheses.hpp, with a scene that refutes the proof without it.
 std::vector<Proof> resting_proofs(const PlanInput& q);
 
 /// Whether gravity presses no bodies together: it is zero, or no fixed body may be met. Then all

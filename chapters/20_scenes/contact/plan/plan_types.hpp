@@ -78,6 +78,8 @@ struct Inequality {
   double right = 0;                       ///< in `unit`
   std::string right_is;                   ///< what the right side is, in words
   std::string unit;                       ///< of both sides; empty for counts and ratios
+  /// The id in plan_hypotheses.hpp; empty for a condition that is not one of these hypotheses.
+  std::string_view hypothesis = {};
 };
 
 /// Whether the condition holds. A side that is not a number proves nothing.
@@ -137,6 +139,9 @@ struct Overrides {
 struct PlanOptions {
   std::optional<double> step;  ///< s, greater than 0; without it the tolerance chooses
   Overrides overrides;         ///< the last word on what is on
+  /// For tests and searches only: ids of hypotheses (plan_hypotheses.hpp) that proofs leave out.
+  /// With one of them a plan may say "proven" where it is wrong.
+  std::vector<std::string> dropped;
 };
 
 /// The decisions on a scene, one for each effect in the order of all_effects, and notices for the
