@@ -15,8 +15,10 @@
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_run.hpp>
 #include <contact/signed_distance.hpp>
 #include <contact/spring_damper.hpp>
+#include <contact/stepped/stage_contact_events.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/step_solver.hpp>
 #include <contact/stepped/stepped_state.hpp>
@@ -36,6 +38,7 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
     const std::size_t first = contacts.size();
     bool hit = false;
     bool lay_down = false;
+    double laid = 0;  // with which speed, m/s
     const double slowest =
         std::max(slowest_bounce(setup, pair.b >= setup.movers, pair.manifold.normal), pair.slow);
     for (const auto& point : pair.manifold.points) {
@@ -46,10 +49,21 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
           detail::contact_at(pair, point, fast ? -(pair.material.restitution * speed) : 0.0));
       hit = hit || fast;
       approaches = approaches || speed < -pair.slow;
-      if (!fast && speed < -pair.slow && pair.material.restitution > 0) lay_down = true;
+      if (!fast && speed < -pair.slow) note_slow_impact(setup, state, substep, pair, -speed);
+      if (!fast && speed < -pair.slow && pair.material.restitution > 0) {
+        lay_down = true;
+        laid = std::max(laid, -speed);
+      }
     }
     if (hit) hits.push_back({first, contacts.size()});
-    if (lay_down && !hit) ++state.counts.rests;
+    if (lay_down && !hit) {
+      ++state.counts.rests;
+      if (laid * setup.step > least_error(setup)) {
+        const double now = time_of_substep(setup, state, substep);
+        state.counts.doubts.add(RunDoubt::contact, now);
+        state.counts.doubts.add(RunDoubt::rest, now);
+      }
+    }
   }
   if (!approaches) return;
   const auto impulses = detail::solve_now(setup, state, contacts);
@@ -199,6 +213,9 @@ CONTACT_SCENES_INLINE void apply_spring_forces(const SteppedSetup& setup, Steppe
       }
       detail::projected_newton(setup, state, substep, pair, a, b, point.point, impulse);
       ++state.counts.contacts;
+      const double now = time_of_substep(setup, state, substep);
+      state.counts.doubts.add(RunDoubt::contact, now);
+      state.counts.doubts.add(RunDoubt::spring, now);
     }
   }
 }
