@@ -1,11 +1,12 @@
 #include <contact/scene/kept_tolerance.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include <contact/invalid_argument.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene_run.hpp>
@@ -13,6 +14,12 @@
 namespace contact {
 
 namespace detail {
+
+/// The shortest digits that give the number back.
+CONTACT_SCENES_INLINE std::string digits_of(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
 
 /// The part of a run that has no doubt yet.
 class PartWithoutDoubt {
@@ -64,7 +71,9 @@ CONTACT_SCENES_INLINE KeptTolerance kept_tolerance(const Plan& plan, const Scene
   if (!charged(Effect::penalty_contact))
     part.end_at(RunDoubt::spring, "the error of the springs' substeps is not within the tolerance");
   if (!charged(Effect::step_size))
-    part.end_at(RunDoubt::crowd, "all impacts of a part of a step are taken at once");
+    part.end_at(RunDoubt::crowd,
+                "impacts that bodies share are solved all at once; one after the other they may "
+                "give another result");
   part.end_at(RunDoubt::varying,
               "a contact force varies within a step: on a curved surface, or on a body with "
               "vertices that rotates");
@@ -104,9 +113,10 @@ CONTACT_SCENES_INLINE std::string kept_by_text(KeptBy by) {
 
 CONTACT_SCENES_INLINE std::string kept_tolerance_text(const KeptTolerance& kept) {
   if (kept.by == KeptBy::not_asked) return "No tolerance of positions is asked for.";
-  std::string text = "The tolerance of " + number_text(kept.asked) + " m: ";
+  std::string text = "The tolerance of " + detail::digits_of(kept.asked) + " m: ";
   if (kept.by == KeptBy::nothing) return text + "not known to be kept: " + kept.why + ".";
-  text += kept.whole() ? "kept in the whole run" : "kept up to " + number_text(kept.until) + " s";
+  text +=
+      kept.whole() ? "kept in the whole run" : "kept up to " + detail::digits_of(kept.until) + " s";
   text += kept.by == KeptBy::proof ? ", proven" : ", by an estimate";
   return text + (kept.whole() ? "." : "; after that no bound: " + kept.why + ".");
 }

@@ -26,6 +26,24 @@
 
 namespace contact {
 
+namespace detail {
+
+/// Whether a body of a pair's contacts has contacts with other bodies too. An impact then reaches
+/// them at the same instant, and how they share it is a choice of the model: all at once.
+CONTACT_SCENES_INLINE bool shares_impact(const SteppedSetup& setup,
+                                         const std::vector<BodyContact<double>>& contacts,
+                                         std::size_t first, std::size_t last) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (i >= first && i < last) continue;
+    for (const int one : {contacts[first].a, contacts[first].b})
+      for (const int other : {contacts[i].a, contacts[i].b})
+        if (one == other && index(one) < setup.movers) return true;
+  }
+  return false;
+}
+
+}  // namespace detail
+
 // [impacts-stage]
 CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState& state,
                                          Substep& substep) {
@@ -67,8 +85,11 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
   }
   if (!approaches) return;
   const auto impulses = detail::solve_now(setup, state, contacts);
-  for (const auto& [first, last] : hits)
+  for (const auto& [first, last] : hits) {
     detail::record_hit(setup, state, substep, contacts, impulses, first, last);
+    if (detail::shares_impact(setup, contacts, first, last))
+      state.counts.doubts.add(RunDoubt::crowd, time_of_substep(setup, state, substep));
+  }
   substep.length = 0;
   ++substep.cuts;
 }

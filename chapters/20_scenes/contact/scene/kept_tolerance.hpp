@@ -30,12 +30,12 @@ struct KeptTolerance {
 
 /// Until when a run is known to be within its tolerance.
 ///
-/// The plan bounds what it leaves out. What it cannot foresee the run records as doubts: each ends
-/// the part, unless the plan has a bound for it. A run in steps has constant forces in a substep,
-/// and ends substeps where these change. So before the first force that varies within a substep,
-/// and before the horizon, only rounding errors remain: an estimate. Errors spread by hits, so
-/// without a hit a run in steps is before its horizon. A part that a run from event to event went
-/// on with in steps is not judged.
+/// The plan bounds what it leaves out. What it cannot foresee the run records as doubts. From
+/// the first of them on nothing is known, unless the plan has a bound for it. A run in steps has
+/// constant forces in a substep, which end where these change. So before the first force that
+/// varies within a substep, and before the horizon, only rounding errors remain: an estimate.
+/// Errors spread by hits, so without a hit a run in steps is before its horizon. A part that a run
+/// from event to event went on with in steps is not judged.
 /// @param plan of the run
 /// @param run at its end
 KeptTolerance kept_tolerance(const Plan& plan, const SceneRun& run);

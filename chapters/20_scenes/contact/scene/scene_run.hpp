@@ -42,7 +42,7 @@ enum class RunDoubt {
   varying,     ///< a contact force varies within a substep: on a curved surface, or on a body with
                ///< vertices that rotates. A substep has constant forces
   late_event,  ///< an event of a contact falls inside a substep
-  crowd,       ///< all impacts of a part of a step are taken at once
+  crowd,       ///< impacts that reach a body at the same instant are taken at once
   unsettled    ///< a solver ends before its contacts are solved
 };
 /// The number of different doubts.
