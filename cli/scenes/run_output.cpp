@@ -151,7 +151,9 @@ void write_checkpoint(const fs::path& file, const RunCheckpoint& checkpoint) {
   nlohmann::json numbers = nlohmann::json::array();
   for (const double number : state.numbers) numbers.push_back(bits_text(number));
   const SceneRunCounts& counts = state.counts;
-  nlohmann::json json{{"format", "contact-checkpoint/2"},
+  nlohmann::json doubts = nlohmann::json::array();
+  for (const double since : counts.doubts.times()) doubts.push_back(bits_text(since));
+  nlohmann::json json{{"format", "contact-checkpoint/3"},
                       {"scene", checkpoint.scene},
                       {"plan", checkpoint.plan},
                       {"kind", state.kind},
@@ -164,6 +166,7 @@ void write_checkpoint(const fs::path& file, const RunCheckpoint& checkpoint) {
                         counts.iterations, counts.crossings, counts.rests, counts.crowded_steps}},
                       {"largest_overlap", bits_text(counts.largest_overlap)},
                       {"rest_error", bits_text(counts.rest_error)},
+                      {"doubts", doubts},
                       {"numbers", numbers},
                       {"integers", state.integers}};
   if (state.fallback)
@@ -174,7 +177,7 @@ void write_checkpoint(const fs::path& file, const RunCheckpoint& checkpoint) {
 RunCheckpoint read_checkpoint(const fs::path& file) {
   try {
     const nlohmann::json json = nlohmann::json::parse(grading::read_text(file));
-    if (json.at("format") != "contact-checkpoint/2") throw std::runtime_error("unknown format");
+    if (json.at("format") != "contact-checkpoint/3") throw std::runtime_error("unknown format");
     RunCheckpoint checkpoint;
     checkpoint.scene = json.at("scene").get<std::string>();
     checkpoint.plan = json.at("plan").get<std::string>();
@@ -192,6 +195,8 @@ RunCheckpoint read_checkpoint(const fs::path& file) {
       *count = json.at("counts").at(at++).get<std::uint64_t>();
     counts.largest_overlap = from_bits(json.at("largest_overlap"));
     counts.rest_error = from_bits(json.at("rest_error"));
+    for (std::size_t i = 0; i < run_doubts; ++i)
+      counts.doubts.add(static_cast<RunDoubt>(i), from_bits(json.at("doubts").at(i)));
     for (const nlohmann::json& number : json.at("numbers"))
       state.numbers.push_back(from_bits(number));
     state.integers = json.at("integers").get<std::vector<std::int64_t>>();

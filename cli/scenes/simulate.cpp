@@ -131,6 +131,8 @@ void add_simulate(Command app, Action& action) {
   command.add_option("--jobs", options->jobs, "Scenes at a time (default: one a core)")
       .between(1, 1024);
   command.add_flag("--expect", options->expect, "Compare the results with what the scene expects");
+  command.add_flag("--strict", options->strict,
+                   "Exit code 1 if a part of the run is not known to keep the tolerance");
   command.add_flag("--json", options->json, "Print JSON");
   command.callback([&action, options] { action = [options](Context&) { return run(*options); }; });
 }

@@ -10,6 +10,7 @@
 
 #include <contact/plan/plan.hpp>
 #include <contact/scene/free_flight_run.hpp>
+#include <contact/scene/kept_tolerance.hpp>
 #include <contact/scene/make_scene_run.hpp>
 #include <contact/scene/scene_file.hpp>
 #include <contact/scene/scene_runs.hpp>
@@ -47,6 +48,7 @@ class Simulation {
         piece_(piece),
         scene_(std::move(scene)),
         run_(scenes::make_run(scene_, plan, options_.event_budget)),
+        plan_(plan),
         way_(flies_freely(plan) ? "all bodies fly freely, by a formula"
                                 : "hard, smooth balls from event to event"),
         plan_number_(plan_number(plan)) {
@@ -68,12 +70,14 @@ class Simulation {
     if (ending != Ending::interrupted && output_ && last_frame_ != run_->now()) add_frame();
     if (output_) output_->flush();
     if (events_) events_->flush();
-    Outcome outcome = reported({options_, scene_, *run_, checked_, ending, way_, until_,
+    const KeptTolerance kept = kept_tolerance(plan_, *run_);
+    Outcome outcome = reported({options_, scene_, *run_, checked_, ending, way_, kept, until_,
                                 first_energy_, frames_, seconds_since(began_)});
     const bool failed = std::any_of(checked_.begin(), checked_.end(), [](const Checked& checked) {
       return checked.got && !checked.met();
     });
-    if (options_.expect && failed) outcome.code = exit_not_passed;
+    if ((options_.expect && failed) || (options_.strict && !kept.whole()))
+      outcome.code = exit_not_passed;
     if (ending != Ending::complete) outcome.code = exit_trouble;
     if (ending == Ending::interrupted) outcome.code = exit_interrupted;
     return outcome;
@@ -209,6 +213,7 @@ class Simulation {
   std::size_t piece_;
   Scene scene_;
   std::unique_ptr<SceneRun> run_;
+  Plan plan_;
   std::string way_;  // how it runs if not step by step
   std::string plan_number_;
   double until_ = 0;

@@ -34,6 +34,7 @@ struct SimulateOptions {
   std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max();
   int jobs = 0;  // scenes at a time; 0: one a core
   bool expect = false;
+  bool strict = false;
   bool json = false;
 };
 

@@ -57,6 +57,16 @@ nlohmann::json fallback_json(const SimulationEnd& end) {
   return {{"time", fallback->time}, {"why", fallback->why}};
 }
 
+nlohmann::json tolerance_json(const KeptTolerance& kept) {
+  nlohmann::json json{{"asked", nullptr},
+                      {"kept_until", kept.until},
+                      {"by", kept_by_text(kept.by)},
+                      {"why", nullptr}};
+  if (kept.asked > 0) json["asked"] = kept.asked;
+  if (!kept.whole()) json["why"] = kept.why;
+  return json;
+}
+
 nlohmann::json report_json(const SimulationEnd& end) {
   const SceneRunCounts counts = end.run.counts();
   nlohmann::json expectations = nlohmann::json::array();
@@ -102,6 +112,7 @@ nlohmann::json report_json(const SimulationEnd& end) {
                       {"rests", counts.rests},
                       {"rest_error", counts.rest_error},
                       {"energy", {{"first", end.first_energy}, {"last", end.run.energy()}}},
+                      {"tolerance", tolerance_json(end.kept)},
                       {"frames", end.frames},
                       {"bytes", end.run.bytes()},
                       {"bytes_per_state", end.run.bytes_per_body()},
@@ -160,6 +171,8 @@ void tell(const SimulationEnd& end, const Style& style, SimulateOutcome& outcome
     outcome.say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +
                 " s on: " + fallback->why);
   if (end.options.expect) tell_expectations(end, style, outcome);
+  const std::string kept = kept_tolerance_text(end.kept);
+  outcome.say("  " + (end.kept.whole() ? kept : style.warn(kept)));
 }
 
 }  // namespace

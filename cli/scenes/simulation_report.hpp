@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <contact/scene/kept_tolerance.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
 
@@ -32,7 +33,8 @@ struct SimulationEnd {
   const SceneRun& run;
   const std::vector<Checked>& checked;
   Ending ending;
-  std::string way;  // how it runs if not step by step
+  std::string way;     // how it runs if not step by step
+  KeptTolerance kept;  // until when its positions are within the tolerance
   double until;
   double first_energy;
   std::uint64_t frames;

@@ -1,6 +1,8 @@
 // Scenes step by step: impacts between two steps, one by one and in the order of their times.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <contact/scene/kept_tolerance.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -241,4 +243,26 @@ TEST_CASE("boxes on a line hit as often with rotation as without") {
   turning->advance(0.2);
   CHECK(still->counts().hits > 100);
   CHECK(bits_of(scene, *still) == bits_of(scene, *turning));
+}
+
+TEST_CASE(
+    "touching balls share a hit in steps and pass it on from event to event, and steps say so") {
+  // Both are answers of a model: of all contacts at once, or of one after the other.
+  Scene scene = plan_scenes::empty(1, 0, 3, 1e-6);
+  plan_scenes::ball(scene, 0.5, 1, {-1, 0, 0}, {1, 0, 0});
+  for (int k = 1; k <= 4; ++k) plan_scenes::ball(scene, 0.5, 1, {1.0 * k, 0, 0});
+  const auto speeds = [&](Effect effect, bool on, std::vector<double> wanted) {
+    const auto options = on ? stepped_scenes::with({effect}) : stepped_scenes::without({effect});
+    const auto plan = contact::plan_scene(scene, options);
+    auto run = contact::scenes::make_run(scene, plan);
+    run->advance(3);
+    CAPTURE(on);
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+      CHECK(std::abs(run->velocity(k).x() - wanted[k]) <= 1e-9);
+    return contact::kept_tolerance(plan, *run);
+  };
+  speeds(Effect::event_driven, true, {0, 0, 0, 0, 1});
+  const auto kept = speeds(Effect::event_driven, false, {-0.6, 0.4, 0.4, 0.4, 0.4});
+  CHECK(std::abs(kept.until - 1) <= 1e-9);
+  CHECK(kept.why.find("all at once") != std::string::npos);
 }

@@ -164,6 +164,7 @@ CONTACT_SCENES_INLINE SceneRunCounts FallbackRun::counts() const {
   counts.contacts = more.contacts;
   counts.iterations = more.iterations;
   counts.rests += more.rests;
+  counts.doubts.add(more.doubts, fallback_->time);
   counts.largest_overlap = std::max(counts.largest_overlap, more.largest_overlap);
   return counts;
 }

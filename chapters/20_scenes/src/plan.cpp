@@ -111,11 +111,21 @@ CONTACT_SCENES_INLINE std::string how_impacts_are_taken(const PlanInput& q, cons
 CONTACT_SCENES_INLINE void add_notices(const PlanInput& q, Plan& plan) {
   const Decision& horizon = decision_on(plan, Effect::horizon);
   if (horizon.value && *horizon.value < q.scene->duration) {
-    plan.notices.push_back("The tolerance holds up to about t = " + short_number(*horizon.value) +
-                           " s, " +
-                           (at_most_one_hit(q) ? "by a bound, as the two meet once"
-                                               : "by an estimate for typical hits, not a bound") +
-                           "; after that only conserved quantities and statistics do.");
+    const std::string time = "t = " + short_number(*horizon.value) + " s";
+    const bool bounded = std::isfinite(plan.error);
+    const bool steps = !q.events && !decision_on(plan, Effect::step_size).proven;
+    if (bounded && !steps)
+      plan.notices.push_back("The tolerance holds up to about " + time + ", " +
+                             (at_most_one_hit(q) ? "by a bound, as the two meet once"
+                                                 : "by an estimate for typical hits, not a bound") +
+                             "; after that only conserved quantities and statistics do.");
+    else
+      plan.notices.push_back(
+          "After about " + time +
+          ", by an estimate, only conserved quantities and statistics hold. "
+          "Until when the tolerance holds is not known before the run, since " +
+          (bounded ? "forces may vary within a step" : "an error that is accepted has no bound") +
+          ": simulate tells it at the end.");
   }
   if (horizon.on && !horizon.value && q.bounds.movers > 0)
     plan.notices.push_back("Until when the tolerance holds is not known. " + horizon.why);

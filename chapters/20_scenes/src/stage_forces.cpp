@@ -14,6 +14,7 @@
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/signed_distance.hpp>
+#include <contact/stepped/stage_contact_events.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/step_solver.hpp>
 #include <contact/stepped/stepped_state.hpp>
@@ -152,10 +153,13 @@ CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState&
       const double way = -separation_speed(setup, state, pair, point.point) * substep.planned;
       return !substep.simultaneous && gap <= 16 * pair.near && way <= gap + 2 * pair.near;
     };
+    const double falls = falling_away(setup, state, substep, pair);
     for (const auto& point : pair.manifold.points) {
       const double gap = std::max(point.distance, 0.0);
       const bool touches = point.distance <= pair.touch;
-      contacts.push_back(detail::contact_at(pair, point, touches ? 0.0 : -(gap / substep.planned)));
+      double min_velocity = touches ? 0.0 : -(gap / substep.planned);
+      if (falls > 0 && point.distance <= pair.near) min_velocity = -(2 * falls / substep.planned);
+      contacts.push_back(detail::contact_at(pair, point, min_velocity));
       gaps.push_back(touches || rounds(point, gap) ? 0.0 : gap);
       if (substep.simultaneous)
         closing.push_back(detail::closing_of(setup, state, substep, pair, point.point));
@@ -198,6 +202,7 @@ CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState&
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactImpulse<double>& impulse = impulses[i];
     if (!(impulse.normal > 0)) continue;
+    substep.pushing.push_back({contacts[i], impulse});
     const double came = substep.simultaneous ? closing[i].after(gaps[i], substep.planned) : 0;
     const bool still = detail::index(contacts[i].b) >= setup.movers;
     const bool hits = came > 0 && came > slowest_bounce(setup, still, contacts[i].normal);

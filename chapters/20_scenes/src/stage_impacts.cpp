@@ -15,14 +15,34 @@
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_run.hpp>
 #include <contact/signed_distance.hpp>
 #include <contact/spring_damper.hpp>
+#include <contact/stepped/stage_contact_events.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/step_solver.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
+
+namespace detail {
+
+/// Whether a body of a pair's contacts has contacts with other bodies too. An impact then reaches
+/// them at the same instant, and how they share it is a choice of the model: all at once.
+CONTACT_SCENES_INLINE bool shares_impact(const SteppedSetup& setup,
+                                         const std::vector<BodyContact<double>>& contacts,
+                                         std::size_t first, std::size_t last) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (i >= first && i < last) continue;
+    for (const int one : {contacts[first].a, contacts[first].b})
+      for (const int other : {contacts[i].a, contacts[i].b})
+        if (one == other && index(one) < setup.movers) return true;
+  }
+  return false;
+}
+
+}  // namespace detail
 
 // [impacts-stage]
 CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState& state,
@@ -36,6 +56,7 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
     const std::size_t first = contacts.size();
     bool hit = false;
     bool lay_down = false;
+    double laid = 0;  // with which speed, m/s
     const double slowest =
         std::max(slowest_bounce(setup, pair.b >= setup.movers, pair.manifold.normal), pair.slow);
     for (const auto& point : pair.manifold.points) {
@@ -46,15 +67,29 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
           detail::contact_at(pair, point, fast ? -(pair.material.restitution * speed) : 0.0));
       hit = hit || fast;
       approaches = approaches || speed < -pair.slow;
-      if (!fast && speed < -pair.slow && pair.material.restitution > 0) lay_down = true;
+      if (!fast && speed < -pair.slow) note_slow_impact(setup, state, substep, pair, -speed);
+      if (!fast && speed < -pair.slow && pair.material.restitution > 0) {
+        lay_down = true;
+        laid = std::max(laid, -speed);
+      }
     }
     if (hit) hits.push_back({first, contacts.size()});
-    if (lay_down && !hit) ++state.counts.rests;
+    if (lay_down && !hit) {
+      ++state.counts.rests;
+      if (laid * setup.step > least_error(setup)) {
+        const double now = time_of_substep(setup, state, substep);
+        state.counts.doubts.add(RunDoubt::contact, now);
+        state.counts.doubts.add(RunDoubt::rest, now);
+      }
+    }
   }
   if (!approaches) return;
   const auto impulses = detail::solve_now(setup, state, contacts);
-  for (const auto& [first, last] : hits)
+  for (const auto& [first, last] : hits) {
     detail::record_hit(setup, state, substep, contacts, impulses, first, last);
+    if (detail::shares_impact(setup, contacts, first, last))
+      state.counts.doubts.add(RunDoubt::crowd, time_of_substep(setup, state, substep));
+  }
   substep.length = 0;
   ++substep.cuts;
 }
@@ -199,6 +234,9 @@ CONTACT_SCENES_INLINE void apply_spring_forces(const SteppedSetup& setup, Steppe
       }
       detail::projected_newton(setup, state, substep, pair, a, b, point.point, impulse);
       ++state.counts.contacts;
+      const double now = time_of_substep(setup, state, substep);
+      state.counts.doubts.add(RunDoubt::contact, now);
+      state.counts.doubts.add(RunDoubt::spring, now);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_run.hpp>
 #include <contact/signed_distance.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
@@ -59,6 +60,11 @@ CONTACT_SCENES_INLINE void put_to_sleep(const SteppedSetup& setup, SteppedState&
     const std::size_t first = detail::first_of_group(group, i);
     if (sleeps(state, i) || !ready[first]) continue;
     state.sleeps_with[i] = static_cast<std::int32_t>(first);
+    const double now = time_of_substep(setup, state, substep);
+    const double creeps = size_of(state.velocity[i]) +
+                          size_of(angular_velocity_of(state, i)) * setup.bodies[i].rotation_radius;
+    if (creeps * std::max(setup.scene.duration - now, setup.step) > least_error(setup))
+      state.counts.doubts.add(RunDoubt::rest, now);
     state.velocity.set(i, Vector3<double>::Zero());
     if (setup.rotation) state.angular_velocity.set(i, Vector3<double>::Zero());
     ++state.counts.rests;

@@ -253,7 +253,9 @@ CONTACT_SCENES_INLINE void record_hit(const SteppedSetup& setup, SteppedState& s
                                       const std::vector<ContactImpulse<double>>& impulses,
                                       std::size_t first, std::size_t last) {
   SceneHit hit;
-  hit.time = static_cast<double>(state.step) * setup.step + (substep.whole - substep.left);
+  hit.time = time_of_substep(setup, state, substep);
+  state.counts.doubts.add(RunDoubt::contact, hit.time);
+  state.counts.doubts.add(RunDoubt::hit, hit.time);
   hit.first = setup.bodies[index(contacts[first].a)].body;
   hit.second = setup.bodies[index(contacts[first].b)].body;
   for (std::size_t i = first; i < last; ++i) {

@@ -127,7 +127,7 @@ class SteppedRun final : public SceneRun {
     return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.slot_of) +
            of(setup_.material) + of(substep_.pairs) + of(substep_.shapes) +
            substep_.end_velocity.bytes() + substep_.end_angular_velocity.bytes() +
-           of(substep_.hits) + of(substep_.bounces) + of(substep_.bounced) +
+           of(substep_.hits) + of(substep_.pushing) + of(substep_.bounces) + of(substep_.bounced) +
            substep_.free_velocity.bytes() + substep_.free_angular_velocity.bytes() +
            of(substep_.deflection) + of(substep_.even);
   }
@@ -152,7 +152,8 @@ class SteppedRun final : public SceneRun {
   /// substeps of few iterations each: shorter substeps help a heap more than more iterations.
   void step_once(SteppedState& state, double length) {
     substep_.whole = substep_.left = length;
-    substep_.cuts = 0;
+    substep_.cuts = substep_.events = 0;
+    substep_.slide_search = {};
     substep_.hits.clear();
     // An impact divides twice: a substep ends where it is found, and one of length zero solves it.
     const int max_cuts = 2 * setup_.max_impacts;
@@ -170,7 +171,9 @@ class SteppedRun final : public SceneRun {
       substep_.planned = substep_.length = std::min(substep_.length, longest);
       longest = length;
       crowded = crowded || (setup_.one_by_one && substep_.simultaneous);
+      substep_.repeat_with = 0;
       substep_.pairs.clear();
+      substep_.pushing.clear();
       substep_.bounces.clear();
       substep_.bounced.clear();
       substep_.end_velocity = state.velocity;
@@ -183,6 +186,12 @@ class SteppedRun final : public SceneRun {
       for (const detail::NamedStage& stage : line_.substep) {
         stage.run(setup_, state, substep_);
         if (!(substep_.length > 0)) break;
+        if (substep_.repeat_with > 0) {
+          longest = substep_.repeat_with;
+          again = true;
+          substep_.length = 0;
+          break;
+        }
         if (!substep_.simultaneous || stage.run != solve_forces) continue;
         // A body that was hit may rotate too far in such a substep, or fly at a body that was not
         // near: then it is repeated, shorter or with more pairs.

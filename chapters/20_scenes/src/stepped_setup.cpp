@@ -18,6 +18,7 @@
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>
+#include <contact/stepped/stage_contact_events.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/stage_forces.hpp>
 #include <contact/stepped/stage_impacts.hpp>
@@ -200,6 +201,8 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
   const bool springs = is_on(plan, Effect::penalty_contact);
   const bool sleep = is_on(plan, Effect::sleeping);
   const bool forces = is_on(plan, Effect::resting) || !setup.one_by_one;
+  const bool slides = forces && setup.one_by_one && !setup.smooth;
+  const bool edges = forces && setup.one_by_one && passes_edges(setup);
   const std::string iterations =
       setup.together ? "all contacts of a body together" : "each on its own";
   // [pipeline]
@@ -219,10 +222,13 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
     add(line.substep, forces ? "contact forces" : "impacts left over",
         forces ? iterations : "rounding, and a step with too many to take one by one",
         solve_forces);
+    if (slides) add(line.substep, "end of sliding", "by its rate", find_end_of_sliding);
     if (setup.continuous && setup.one_by_one)
       add(line.substep, "time of impact", "by conservative advancement", find_first_impact);
+    if (edges) add(line.substep, "end of support", "by bisection", find_end_of_support);
   }
   // [/pipeline]
+  if (meet) add(line.substep, "doubts", "whether a force varies", note_varying_forces);
   const bool bounce = meet && is_on(plan, Effect::restitution);
   if (bounce) add(line.substep, "bounces", "of impacts that are processed together", solve_bounces);
   add(line.substep, "motion", "exact for constant acceleration", move_bodies);

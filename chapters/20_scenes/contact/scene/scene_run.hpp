@@ -3,6 +3,8 @@
 /// bodies.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -30,6 +32,45 @@ struct SceneStage {
   std::string detail;  ///< how it is done, one phrase: "cells", "5 iterations at most"
 };
 
+/// What happens in a run step by step that a plan cannot foresee, and that says which errors it may
+/// have from then on.
+enum class RunDoubt {
+  contact,     ///< a contact carries a force: until then all bodies fly freely
+  hit,         ///< an impact, which may amplify rounding errors
+  rest,        ///< a bounce is left out, or a body that moves a little falls asleep
+  spring,      ///< a compliant contact pushes
+  varying,     ///< a contact force varies within a substep: on a curved surface, or on a body with
+               ///< vertices that rotates. A substep has constant forces
+  late_event,  ///< an event of a contact falls inside a substep
+  crowd,       ///< impacts that reach a body at the same instant are taken at once
+  unsettled    ///< a solver ends before its contacts are solved
+};
+/// The number of different doubts.
+inline constexpr std::size_t run_doubts = 8;
+
+/// Since when each doubt exists, s; ∞: it does not.
+class RunDoubts {
+ public:
+  RunDoubts() { since_.fill(std::numeric_limits<double>::infinity()); }
+  /// Since when.
+  double since(RunDoubt doubt) const { return since_[static_cast<std::size_t>(doubt)]; }
+  /// Records that it exists at a time; the earliest one counts.
+  void add(RunDoubt doubt, double time) {
+    double& since = since_[static_cast<std::size_t>(doubt)];
+    since = std::min(since, time);
+  }
+  /// Adds those of a run that began at a time.
+  void add(const RunDoubts& later, double began) {
+    for (std::size_t i = 0; i < run_doubts; ++i)
+      since_[i] = std::min(since_[i], began + later.since_[i]);
+  }
+  /// Of each doubt in its order, s.
+  const std::array<double, run_doubts>& times() const { return since_; }
+
+ private:
+  std::array<double, run_doubts> since_;
+};
+
 /// What a run has done so far. Counts that a kind of run does not have stay 0.
 struct SceneRunCounts {
   std::uint64_t steps = 0;          ///< of time
@@ -43,6 +84,7 @@ struct SceneRunCounts {
   std::uint64_t crowded_steps = 0;  ///< with more impacts than are taken one by one
   std::uint64_t max_impacts = 0;    ///< of a step, that are taken one by one; 0: not limited
   double largest_overlap = 0;       ///< of hard bodies, m
+  RunDoubts doubts;                 ///< of steps: which errors the run may have, and since when
   double rest_error = 0;            ///< largest displacement of paths by coming to rest, m
   std::size_t endless_first = 0;    ///< after endless_hits, or a fallback: index of a body, ...
   std::size_t endless_second = 0;   ///< ... and of the one that it hits again and again

@@ -6,20 +6,9 @@
 #include <cstddef>
 #include <optional>
 
-#include <contact/quaternion.hpp>
 #include <contact/stepped/stepped_state.hpp>
-#include <contact/vector.hpp>
 
 namespace contact {
-
-namespace detail {
-
-/// Its angular velocity then, except for SubstepMotion::unforeseen.
-Vector3<double> angular_velocity_at(const SteppedSetup& setup, const SteppedState& state,
-                                    const Substep& substep, std::size_t slot, double t,
-                                    const Quaternion<double>& orientation);
-
-}  // namespace detail
 
 /// When a pair first touches in a substep; empty if not before the given time.
 ///

@@ -203,6 +203,19 @@ struct BouncedBody {
   Quaternion<double> orientation;                              ///< before the substep
 };
 
+/// The search for the instant at which a sliding contact comes to rest, over repetitions of one
+/// substep.
+struct SlideSearch {
+  /// Where the search is.
+  enum class Stage {
+    none,     ///< nothing is searched for
+    shorter,  ///< the last substep was shortened, so that all contacts slide until its end
+    found     ///< the last substep ends when sliding ends
+  };
+  Stage stage = Stage::none;  ///< of this substep
+  double too_long = 0;        ///< a length in which sliding ends, s
+};
+
 /// The data that the stages of one substep pass on. Its arrays keep their capacity from substep to
 /// substep.
 struct Substep {
@@ -211,7 +224,11 @@ struct Substep {
   double planned = 0;                  ///< its length without impacts, s; for the end velocities
   double length = 0;                   ///< length of this substep, s
   int cuts = 0;                        ///< number of substeps of this step that an impact has ended
+  int events = 0;                      ///< number of those that an event of a contact has ended
   bool simultaneous = false;           ///< all impacts of the rest of the step at once
+  double repeat_with = 0;              ///< repeat the substep with this length, s; 0: do not
+  SlideSearch slide_search;            ///< over repetitions of this substep
+  std::vector<StepBounce> pushing;     ///< contacts that carry a force, and their impulses
   std::vector<NearPair> pairs;         ///< in increasing order
   std::vector<StepShape> shapes;       ///< of each body in a pair, in the world
   ActiveVectors end_velocity;          ///< of each mover, m/s
@@ -282,6 +299,16 @@ inline Vector3<double> first_velocity(const SteppedState& state, const Substep& 
   if (!substep.at_start[slot]) return state.velocity[slot];
   if (substep.even.empty()) return substep.end_velocity[slot];
   return substep.end_velocity[slot] - substep.even[slot];
+}
+/// The time at which a substep begins, s.
+inline double time_of_substep(const SteppedSetup& setup, const SteppedState& state,
+                              const Substep& substep) {
+  return static_cast<double>(state.step) * setup.step + (substep.whole - substep.left);
+}
+/// A displacement in a step that is too small to matter, m: a part of the tolerance, or of 1e-6 m
+/// if the scene has none.
+inline double least_error(const SteppedSetup& setup) {
+  return setup.scene.tolerance.position.value_or(1e-6) * 0x1p-10;
 }
 /// The size of a vector, m or m/s.
 inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
