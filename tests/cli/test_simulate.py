@@ -173,22 +173,6 @@ def test_a_run_that_could_not_end_is_refused_with_what_to_do(
     assert done.stdout == ""
 
 
-def test_without_detection_between_steps_the_bullet_tunnels(contact: Run) -> None:
-    def bullet(*words: str) -> dict[str, float]:
-        done = contact("simulate", "bullet_and_wall", "--expect", "--json", *words)
-        report = json.loads(done.stdout)
-        assert report["end"] == "complete"
-        return {one["quantity"]: one["got"] for one in report["expectations"]}
-
-    stopped = bullet()
-    assert stopped["events"] == 1
-    assert stopped["velocity.x"] == -225
-    through = bullet("--without", "continuous-detection")
-    assert through["events"] == 0
-    assert through["velocity.x"] == 900
-    assert through["position.x"] == pytest.approx(-9.099 + 900 * 0.02)
-
-
 def test_an_extended_xyz_file_says_where_everything_is(
     contact: Run, gas: Path, tmp_path: Path
 ) -> None:
