@@ -34,6 +34,8 @@ class Option {
   const Option& separated_by(char separator) const;
   /// One value per use of an option that may be given several times.
   const Option& one_value() const;
+  /// Its value may be missing: then it is this one.
+  const Option& alone(const std::string& value) const;
   /// How help names its value.
   const Option& type_name(const std::string& name) const;
   /// What help shows instead of CLI11's description of the value.

@@ -25,6 +25,14 @@ PlanOptions typed_plan_options(const scenes::PlanWords& words) {
   }
 }
 
+void require_possible_run(double until, double every, const Plan& plan) {
+  try {
+    scenes::require_possible_run(until, every, plan);
+  } catch (const std::invalid_argument& error) {
+    throw grading::UnknownName(error.what());
+  }
+}
+
 double seconds_of(const std::string& option, const std::string& text, bool zero) {
   try {
     return scenes::seconds_of(option, text, zero);

@@ -1,6 +1,7 @@
 // contact scene: the contents of a scene file, its faults, and the list of the book's scenes.
 
 #include <algorithm>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -111,18 +112,19 @@ int list(bool json) {
 
 fs::path scene_path(const std::string& word) {
   const fs::path file(word);
-  if (fs::exists(file)) return file;
+  std::error_code no_name;  // of a file, such as one that is too long
+  if (fs::exists(file, no_name)) return file;
   const bool name = word.find_first_of("/\\.") == std::string::npos;
-  if (!name) throw grading::UnknownName(word + ": there is no such file");
+  if (!name) throw grading::UnknownName(shortened(word) + ": there is no such file");
   const fs::path folder = folder_of(grading::find_root());
   fs::path of_book = folder / (word + ".json");
-  if (fs::exists(of_book)) return of_book;
+  if (fs::exists(of_book, no_name)) return of_book;
   std::vector<std::string> names;
   for (const fs::path& known : scenes::scenes_in(folder)) names.push_back(known.stem().string());
   std::string near;
   for (const std::string& candidate : grading::nearest(word, names))
     near += (near.empty() ? "; near it are " : ", ") + candidate;
-  throw grading::UnknownName(word + ": neither a file nor a scene of the book" + near);
+  throw grading::UnknownName(shortened(word) + ": neither a file nor a scene of the book" + near);
 }
 
 void add_scene(Command app, Action& action) {

@@ -84,6 +84,12 @@ int run(const Options& options) {
     if (!options.until.empty())
       scene.duration = std::max(scene.duration, seconds_of("--until", options.until, true));
     Plan plan = plan_scene(scene, wanted);
+    if (!options.until.empty()) {
+      const double until = seconds_of("--until", options.until, true);
+      const double every =
+          options.every.empty() ? scene.output.every : seconds_of("--every", options.every, true);
+      require_possible_run(until, every, plan);
+    }
     all.push_back({std::move(scene), std::move(plan)});
   }
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt_simulations);

@@ -10,6 +10,7 @@
 #include <src/plan_json.cpp>
 #include <src/plan_motion.cpp>
 #include <src/plan_pairs.cpp>
+#include <src/plan_phrases.cpp>
 #include <src/plan_savings.cpp>
 #include <src/plan_shapes.cpp>
 #include <src/plan_spreading.cpp>

@@ -237,6 +237,59 @@ TEST_CASE("A value that is not a number is reported as it is written in the file
   }
 }
 
+TEST_CASE("A comma without a value beside it is called a stray comma, in its line") {
+  const std::string specimen = text_in(root / "tests/20_scenes/specimen.json");
+  const auto said = [&](const std::string& from, const std::string& to) {
+    std::string text = specimen;
+    text.replace(text.find(from), from.size(), to);
+    const std::vector<FileFault> faults = faults_of(text);
+    REQUIRE(faults.size() == 1);
+    return std::to_string(faults[0].line) + ": " + faults[0].fault.allowed;
+  };
+  const std::string of = "is not JSON: a stray comma ";
+  CHECK(said("[0, 0, -9.81]", "[0, 0, -9.81,]") == "6: " + of + "before ]; take it out");
+  CHECK(said("[0, 0, -9.81]", "[0, 0, -9.81 , \n ]") == "7: " + of + "before ]; take it out");
+  CHECK(said("[0, 0, -9.81]", "[0,, 0, -9.81]") == "6: " + of + "after a comma; take it out");
+  CHECK(said("[0, 0, -9.81]", "[, 0, 0, -9.81]") == "6: " + of + "after [; take it out");
+  CHECK(said("\"mass\": 2", "\"mass\": 2, }").ends_with(of + "before }; take it out"));
+  // A comma in a text is none of them.
+  CHECK(said("[0, 0, -9.81]", "[0, 0, \",]\" 1]").find("comma") == std::string::npos);
+}
+
+TEST_CASE("An error shows at most 200 characters of a value, and whole ones") {
+  const std::string specimen = text_in(root / "tests/20_scenes/specimen.json");
+  const std::string longer = [] {
+    std::string text;
+    for (int i = 0; i < 1000; ++i) text += "é";
+    return text;
+  }();
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = specimen;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  for (const std::string& text :
+       {replaced("\"steel\"", "\"" + longer + "\""), replaced("\"SI\"", "\"" + longer + "\""),
+        replaced("\"gravity\"", "\"" + longer + "\""),
+        replaced("[0, 0, -9.81]", "[\"" + longer + "\", \"" + longer + "\", \"" + longer +
+                                      "\", \"" + longer + "\"]"),
+        replaced("\"mass\": 2", "\"mass\": " + std::string(5000, '7')),
+        replaced("\"mass\": 2", "\"mass\": " + std::string(5000, 'x'))}) {
+    const std::vector<FileFault> faults = faults_of(text);
+    REQUIRE_FALSE(faults.empty());
+    for (const FileFault& fault : faults) {
+      INFO(contact::fault_text(fault.fault));
+      CHECK(fault.fault.value.size() <= 200);
+      CHECK(fault.fault.path.size() <= 200);
+      CHECK(contact::fault_text(fault.fault).size() <= 800);
+      CHECK_NOTHROW(nlohmann::json(contact::fault_text(fault.fault)).dump());  // UTF-8
+    }
+  }
+  CHECK(contact::shortened(std::string(200, 'x')) == std::string(200, 'x'));
+  CHECK(contact::shortened(std::string(201, 'x')) == std::string(197, 'x') + "...");
+  CHECK(contact::shortened("ééé", 5) == "é...");
+}
+
 TEST_CASE("A text that is not a scene at all is reported without a path") {
   const auto said = [](const std::string& text) -> std::string {
     try {

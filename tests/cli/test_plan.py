@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+ROOT = Path(__file__).resolve().parents[2]
+
 Run = Callable[..., subprocess.CompletedProcess[str]]
 
 EFFECTS = (
@@ -87,17 +89,99 @@ def test_a_scene_calls_for_what_is_known_of_it(contact: Run, scene: str, on: str
         assert one["planned"] == one["on"]
         if one["proven"]:
             assert all(condition["holds"] for condition in one["because"])
-    table = contact("plan", scene).stdout
-    for name, one in found.items():
-        (line,) = (line for line in table.splitlines() if line.startswith(name + " "))
-        if one["value"] is None:
-            assert line.split()[1] == ("on" if one["on"] else "off")
-    # The table shows both sides of the deciding inequality, in words.
+    summary = contact("plan", scene).stdout
+    table = contact("plan", scene, "--explain").stdout
+    for text in (summary, table):
+        for name, one in found.items():
+            (line,) = (line for line in text.splitlines() if line.startswith(name + " "))
+            if one["value"] is None:
+                assert line.split()[1].strip(",") == ("on" if one["on"] else "off")
+    # The long form shows both sides of the deciding inequality, in words.
     joined = " ".join(table.split())
     for one in found.values():
         for condition in one["because"]:
-            assert condition["left_is"] in joined
-            assert condition["right_is"] in joined
+            if condition["relation"] != "=":
+                assert condition["left_is"] in joined
+                assert condition["right_is"] in joined
+
+
+SCENES = sorted(file.stem for file in (ROOT / "chapters/20_scenes/scenes").glob("*.json"))
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_a_summary_fits_a_terminal(contact: Run, scene: str) -> None:
+    done = contact("plan", scene)
+    assert done.returncode == 0, done.stderr
+    lines = done.stdout.splitlines()
+    assert len(lines) <= 25
+    assert max(map(len, lines)) <= 80
+    assert "…" not in done.stdout  # nothing was cut
+    assert [line.split()[0] for line in lines if line.split()[0] in EFFECTS] == list(EFFECTS)
+    long = contact("plan", scene, "--explain").stdout
+    assert max(map(len, long.splitlines())) <= 80
+
+
+@pytest.mark.parametrize(
+    ("scene", "effect", "says"),
+    [
+        # What fails, of an effect that is on; what holds, of one that is off.
+        ("bouncing_ball", "gravity", "gravity is 10 m/s²"),
+        ("bouncing_ball", "third-dimension", "symmetry: nothing moves along y"),
+        ("billiards_break", "gravity", "there is no gravity"),
+        ("bullet_and_wall", "gravity", "there is no gravity"),
+        ("bullet_and_wall", "friction", "bodies that may meet are smooth: μ = 0"),
+        ("stack_of_ten", "restitution", "nothing rebounds: e = 0"),
+        ("sliding_block", "friction", "there is friction: μ up to"),
+        ("tennis_racket", "friction", "bodies that may meet are smooth: μ = 0"),
+    ],
+)
+def test_a_summary_says_what_decided(contact: Run, scene: str, effect: str, says: str) -> None:
+    lines = contact("plan", scene).stdout.splitlines()
+    (line,) = (line for line in lines if line.startswith(effect + " "))
+    assert says in line
+
+
+def test_one_effect_is_explained_alone(contact: Run) -> None:
+    whole = contact("plan", "bouncing_ball", "--explain").stdout
+    alone = contact("plan", "bouncing_ball", "--explain", "gravity").stdout
+    assert alone.splitlines()[0].split()[:2] == ["gravity", "on"]
+    assert "balls that lie" not in alone
+    assert "1 ball does not lie on a level floor" in alone
+    assert alone.strip() in whole
+    assert "friction" not in [line.split()[0] for line in alone.splitlines()]
+    # The scene may stand where an effect might.
+    assert contact("plan", "--explain", "bouncing_ball").stdout == whole
+
+
+@pytest.mark.parametrize("switch", ["--with", "--without"])
+@pytest.mark.parametrize("effect", EFFECTS[:-3])
+def test_what_changes_nothing_says_so_and_has_no_cost(
+    contact: Run, switch: str, effect: str
+) -> None:
+    def run(*words: str) -> dict[str, Any]:
+        done = contact("simulate", "billiards_break", "--until", "0.05", "--json", *words)
+        assert done.returncode == 0, done.stderr
+        report = json.loads(done.stdout)
+        return {key: report[key] for key in ("stages", "effects", "bytes_per_state", "energy")}
+
+    words = ("billiards_break", switch, effect)
+    says_so = bool(decisions(contact, *words)[effect]["changes_nothing"])
+    text = " ".join(contact("plan", *words, "--explain", effect).stdout.split())
+    assert ("changes nothing here: " in text) == says_so
+    if says_so:
+        assert run() == run(switch, effect)
+        assert "instructions" not in text
+
+
+def test_what_was_measured_to_change_nothing_saves_nothing(contact: Run) -> None:
+    text = " ".join(
+        contact(
+            "plan", "billiards_break", "--measure", "--explain", "third-dimension"
+        ).stdout.split()
+    )
+    assert "Measured: the run with it has the same stages" in text
+    assert "Switching it changes nothing here" in text
+    assert "aves" not in text
 
 
 @pytest.mark.parametrize("scene", ["hail", "billiards_break"])
@@ -121,7 +205,7 @@ def test_where_bodies_lie_on_each_other_the_sum_has_no_bound(contact: Run) -> No
     endless = [one["effect"] for one in plan["decisions"] if one["error"] is None]
     assert endless == ["sleeping"]  # nothing bounces in it, so no bounce is left out
     assert plan["error"] is None
-    text = contact("plan", "stack_of_ten").stdout
+    text = contact("plan", "stack_of_ten", "--explain").stdout
     assert "Sum of the errors accepted: no bound." in text.splitlines()
     assert "Error accepted: no bound, a sleeping body may be balanced" in " ".join(text.split())
 
@@ -145,10 +229,26 @@ def test_an_override_stands_beside_what_the_plan_says(contact: Run) -> None:
     assert found["rotation"]["overridden"]
     assert not found["gravity"]["on"]
     assert found["gravity"]["planned"]
-    table = contact("plan", *words).stdout
+    table = contact("plan", *words, "--explain").stdout
     assert "forced; the plan says off" in table
     assert "forced; the plan says on" in table
     assert "Without gravity" in table
+
+
+def test_without_detection_between_steps_the_bullet_tunnels(contact: Run) -> None:
+    def bullet(*words: str) -> dict[str, float]:
+        done = contact("simulate", "bullet_and_wall", "--expect", "--json", *words)
+        report = json.loads(done.stdout)
+        assert report["end"] == "complete"
+        return {one["quantity"]: one["got"] for one in report["expectations"]}
+
+    stopped = bullet()
+    assert stopped["events"] == 1
+    assert stopped["velocity.x"] == -225
+    through = bullet("--without", "continuous-detection")
+    assert through["events"] == 0
+    assert through["velocity.x"] == 900
+    assert through["position.x"] == pytest.approx(-9.099 + 900 * 0.02)
 
 
 @pytest.mark.parametrize(
@@ -160,6 +260,8 @@ def test_an_override_stands_beside_what_the_plan_says(contact: Run) -> None:
         (("bouncing_ball", "--step", "0"), "--step 0"),
         (("bouncing_ball", "--step", "-1"), "--step -1"),
         (("bouncing_bal",), "bouncing_bal"),
+        (("bouncing_ball", "--explain", "gravitas"), "gravitas"),
+        ((), "SCENE is required"),
     ],
 )
 def test_what_is_not_understood_is_named(contact: Run, words: tuple[str, ...], named: str) -> None:
@@ -167,6 +269,22 @@ def test_what_is_not_understood_is_named(contact: Run, words: tuple[str, ...], n
     assert done.returncode == 2
     assert named in done.stderr
     assert done.stdout == ""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("bouncing_ball", "--with", "x" * 5000),
+        ("bouncing_ball", "--explain", "x" * 5000),
+        ("bouncing_ball", "--step", "x" * 5000),
+        ("x" * 5000,),
+    ],
+)
+def test_of_a_long_word_an_error_shows_the_beginning(contact: Run, words: tuple[str, ...]) -> None:
+    done = contact("plan", *words)
+    assert done.returncode == 2
+    assert "x" * 100 in done.stderr
+    assert "x" * 201 not in done.stderr
 
 
 def test_a_scene_with_a_fault_has_no_plan(contact: Run, tmp_path: Path) -> None:
@@ -209,5 +327,6 @@ def test_a_horizon_is_measured_by_a_run_that_begins_an_ulp_away(contact: Run) ->
 def test_the_table_says_what_was_measured(contact: Run) -> None:
     done = contact("plan", "thrown_stone", "--measure")
     assert done.returncode == 0, done.stderr
-    assert "of processor time a second as planned" in done.stdout
-    assert "a run that begins an ulp away" in done.stdout
+    text = " ".join(done.stdout.split())
+    assert "of processor time a second as planned" in text
+    assert "a run that begins an ulp away" in text

@@ -69,7 +69,7 @@ def counted(file: Path, words: list[str], environment: dict[str, str]) -> int:
         # Four contacts with friction, of a body that might turn.
         ("sliding_block", 0.5, ("friction", "rotation")),
         # One body and a wall: what is asked of each body and part.
-        ("bullet_and_wall", 0.01, ("broad-phase", "sleeping")),
+        ("bullet_and_wall", 0.02, ("broad-phase", "sleeping")),
         # An uneven body that spins.
         ("tennis_racket", 0.1, ("gyroscopic-term",)),
         # Balls from event to event, and the same in steps.

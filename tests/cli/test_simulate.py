@@ -155,6 +155,24 @@ def test_names_and_options_that_are_none(contact: Run) -> None:
             assert words in done.stderr, done.stderr
 
 
+@pytest.mark.parametrize(
+    ("scene", "words", "what"),
+    [
+        ("stack_of_ten", ("--until", "1e15"), "steps"),
+        ("head_on", ("--until", "1e13", "--every", "0.5"), "frames"),
+        ("head_on", ("--until", "1e31"), "like the duration of a scene"),
+    ],
+)
+def test_a_run_that_could_not_end_is_refused_with_what_to_do(
+    contact: Run, scene: str, words: tuple[str, ...], what: str
+) -> None:
+    done = contact("simulate", scene, *words)
+    assert done.returncode == 2
+    assert what in done.stderr
+    assert "at most" in done.stderr
+    assert done.stdout == ""
+
+
 def test_an_extended_xyz_file_says_where_everything_is(
     contact: Run, gas: Path, tmp_path: Path
 ) -> None:

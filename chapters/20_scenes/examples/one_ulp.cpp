@@ -2,6 +2,7 @@
 // proven inactive is on.
 #include <cmath>
 #include <contact/plan/plan.hpp>
+#include <contact/plan/plan_report.hpp>
 #include <contact/scene/scene_file.hpp>
 #include <cstdio>
 
@@ -21,10 +22,7 @@ int main() {
     if (before.on == after.on) continue;
     std::printf("%s: %s, then %s\n", std::string(contact::effect_name(effect)).c_str(),
                 before.on ? "on" : "off", after.on ? "on" : "off");
-    for (const contact::Inequality& failed : after.because) {
-      std::printf("    %s: %.3g, not %s %.3g%s%s\n", failed.left_is.c_str(), failed.left,
-                  failed.relation == contact::Relation::equal ? "=" : "at most", failed.right,
-                  failed.unit.empty() ? "" : " ", failed.unit.c_str());
-    }
+    for (const contact::Inequality& failed : after.because)
+      std::printf("    %s\n", contact::scenes::condition_text(failed).c_str());
   }
 }

@@ -59,6 +59,31 @@ CONTACT_SCENES_INLINE std::string excerpt(const std::string& text, std::size_t m
   return text.substr(0, end) + "...";
 }
 
+/// The position of the last character before one that is not white space; null if there is none.
+CONTACT_SCENES_INLINE const char* word_before(std::string_view text, const char* place) {
+  while (place != text.data()) {
+    --place;
+    if (*place != ' ' && *place != '\t' && *place != '\r' && *place != '\n') return place;
+  }
+  return nullptr;
+}
+
+/// Whether the parser stopped at a comma with no value after or before it: [1, 2,] or [1,, 2].
+/// @param last the character that was read last
+/// @return what the comma stands beside; empty if it is something else
+CONTACT_SCENES_INLINE std::string stray_comma(std::string_view text, const char* last) {
+  if (last == nullptr) return "";
+  if (*last == ']' || *last == '}') {
+    const char* const before = word_before(text, last);
+    return before != nullptr && *before == ',' ? std::string("before ") + *last : "";
+  }
+  if (*last != ',') return "";
+  const char* const before = word_before(text, last);
+  if (before == nullptr) return "at the beginning";
+  if (*before == ',') return "after a comma";
+  return *before == '[' || *before == '{' ? std::string("after ") + *before : "";
+}
+
 /// The word at a position of a text: letters, digits, signs and points.
 CONTACT_SCENES_INLINE std::string word_at(std::string_view text, const char* place) {
   const auto in_word = [](char c) {
@@ -138,11 +163,13 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
       return stop("", "", "is not JSON: must be a text in UTF-8, and has bytes that are not");
     if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
       return stop("", "", "is not JSON: the file is empty");
+    if (const std::string where = stray_comma(text_, place_.last); !where.empty())
+      return stop(path(), "", "is not JSON: a stray comma " + where + "; take it out");
     std::string why = error.what();
     const std::size_t colon = why.find(": ");
     if (why.rfind('[', 0) == 0 && colon != std::string::npos) why = why.substr(colon + 2);
     const bool ended = nlohmann_says(error, "unexpected end of input");
-    return stop(ended ? "" : path(), "", "is not JSON: " + excerpt(why, 200));
+    return stop(ended ? "" : path(), "", "is not JSON: " + excerpt(why, 197));
   }
 
   JsonNode take() { return std::move(root_); }

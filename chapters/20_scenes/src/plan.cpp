@@ -36,25 +36,46 @@ CONTACT_SCENES_INLINE void override_decision(Decision& decision, const Overrides
   decision.on = with;
 }
 
-/// Whether an override changes nothing in the run: event-driven runs search for nothing between
+/// Why the run is the same with an effect on and off: event-driven runs search for nothing between
 /// steps, and do not simulate effects that hard, smooth balls lack; steps compute in double, with
 /// every coordinate that is not proven constant.
-CONTACT_SCENES_INLINE bool is_idle(const Plan& plan, const Decision& switched) {
-  if (!switched.overridden || plan.pairs == 0) return false;
-  switch (switched.effect) {
+/// @param on how the effect is switched
+/// @return empty if the runs differ, or may
+CONTACT_SCENES_INLINE std::string idle_reason(const Plan& plan, const Decision& decision, bool on) {
+  if (plan.pairs == 0 || !can_be_switched(decision.effect)) return {};
+  const bool events = decision_on(plan, Effect::event_driven).on;
+  switch (decision.effect) {
     case Effect::double_precision:
+      if (events || (decision.planned && !on)) return "every run with contacts computes in double";
+      return {};
     case Effect::third_dimension:
     case Effect::second_dimension:
-      return decision_on(plan, Effect::event_driven).on || (switched.planned && !switched.on);
+      if (events)
+        return "from event to event, the run has the coordinates along which balls may move";
+      return decision.planned && !on ? "steps compute each coordinate that may change" : "";
     case Effect::gravity:
+      return events && on ? "from event to event, gravity acts wherever the scene has it" : "";
     case Effect::friction:
+      return events && on ? "the coefficient of friction stays 0" : "";
     case Effect::restitution:
-      return decision_on(plan, Effect::event_driven).on && switched.on;
+      return events && on ? "the coefficients of restitution stay as they are" : "";
     case Effect::event_driven:
-      return false;
+      return {};
+    case Effect::broad_phase:
+      return events ? "from event to event, the number of balls chooses the search" : "";
+    case Effect::continuous_detection:
+      return events ? "from event to event, each impact is found in any case" : "";
+    case Effect::rotation:
+    case Effect::gyroscopic_term:
+      return events ? "no torque acts on a smooth ball" : "";
     default:
-      return decision_on(plan, Effect::event_driven).on;
+      return events ? "from event to event there is no such stage" : "";
   }
+}
+
+/// Whether an override changes nothing in the run.
+CONTACT_SCENES_INLINE bool is_idle(const Plan& plan, const Decision& switched) {
+  return switched.overridden && !idle_reason(plan, switched, switched.on).empty();
 }
 
 /// Whether an effect is forced off that the plan has on, so that the error has no bound. Bodies may
@@ -256,6 +277,10 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
   plan.pairs = static_cast<std::size_t>(pairs_that_may_meet(q.bounds));
   plan.error = detail::accepted_error(plan);
   estimate_savings(q, q.events ? detail::frame_step(scene) : q.step, plan);
+  for (Decision& decision : plan.decisions) {
+    const bool switched = decision.overridden ? decision.on : !decision.on;
+    decision.changes_nothing = detail::idle_reason(plan, decision, switched);
+  }
   detail::add_notices(q, plan);
   return plan;
 }

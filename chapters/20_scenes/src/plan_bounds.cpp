@@ -1,7 +1,6 @@
 #include <contact/plan/plan_bounds.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -9,8 +8,11 @@
 #include <variant>
 #include <vector>
 
+#include <contact/aabb.hpp>
+#include <contact/box_pairs.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
+#include <contact/tree_pairs.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -33,17 +35,15 @@ CONTACT_SCENES_INLINE bool rotation_is_decoupled(const Scene& scene) {
 /// gravity are exactly along one axis. Its centre stays above the floor by its core's thickness.
 /// @return J, twice the energy of the fall, rounded up; plus the compression of a compliant floor,
 /// (m g)²/k; ∞ without such a floor
-CONTACT_SCENES_INLINE double twice_fall(const Scene& scene, const SceneBody& body, double gravity) {
+CONTACT_SCENES_INLINE double twice_fall(const Scene& scene, const std::vector<std::size_t>& floors,
+                                        const SceneBody& body, double gravity) {
   double least = infinite;
-  const int axis = only_axis(scene.gravity);
   if (gravity == 0) return 0;
-  if (axis < 0) return infinite;
-  for (const SceneBody& floor : scene.bodies) {
-    const auto* half_space = std::get_if<HalfSpaceShape>(&floor.shape);
-    if (half_space == nullptr || level_axis(half_space->normal) != axis) continue;
-    if (half_space->normal(axis) * scene.gravity(axis) > 0) continue;  // a ceiling
-    const double size = coordinate_size(body.position) + std::abs(half_space->offset);
-    double fall = half_space->normal.dot(body.position) - half_space->offset -
+  for (const std::size_t k : floors) {
+    const SceneBody& floor = scene.bodies[k];
+    const auto& half_space = std::get<HalfSpaceShape>(floor.shape);
+    const double size = coordinate_size(body.position) + std::abs(half_space.offset);
+    double fall = half_space.normal.dot(body.position) - half_space.offset -
                   inner_radius(body.shape) + 64 * plan_u * size;
     fall = std::max(fall, 0.0);
     const double weight = body.mass * gravity;
@@ -57,7 +57,20 @@ CONTACT_SCENES_INLINE double twice_fall(const Scene& scene, const SceneBody& bod
 }
 // [/floor]
 
+CONTACT_SCENES_INLINE std::vector<std::size_t> level_floors(const Scene& scene) {
+  std::vector<std::size_t> floors;
+  const int axis = only_axis(scene.gravity);
+  if (axis < 0) return floors;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const auto* half_space = std::get_if<HalfSpaceShape>(&scene.bodies[k].shape);
+    if (half_space == nullptr || level_axis(half_space->normal) != axis) continue;
+    if (half_space->normal(axis) * scene.gravity(axis) < 0) floors.push_back(k);
+  }
+  return floors;
+}
+
 CONTACT_SCENES_INLINE EnergyShare energy_of(const Scene& scene,
+                                            const std::vector<std::size_t>& floors,
                                             const std::vector<std::size_t>& members, bool locked,
                                             double gravity) {
   std::vector<double> kinetic;
@@ -70,7 +83,7 @@ CONTACT_SCENES_INLINE EnergyShare energy_of(const Scene& scene,
       twice += moment_range(body.inertia).max * body.angular_velocity.dot(body.angular_velocity);
     kinetic.push_back(twice);
     masses.push_back(body.mass);
-    falls.push_back(twice_fall(scene, body, gravity));
+    falls.push_back(twice_fall(scene, floors, body, gravity));
   }
   const double n = 32 + static_cast<double>(members.size());
   EnergyShare share;
@@ -179,7 +192,8 @@ CONTACT_SCENES_INLINE void regroup(const Scene& scene, bool locked, BodySets& se
   bounds.groups.assign(scene.bodies.size(), EnergyShare{});
   for (std::size_t g = 0; g < members.size(); ++g) {
     if (members[g].empty()) continue;
-    bounds.groups[g] = energy_of(scene, members[g], locked, bounds.gravity);
+    bounds.groups[g] = energy_of(scene, bounds.floors, members[g], locked, bounds.gravity);
+    bounds.compared += members[g].size() * bounds.floors.size();
     for (const std::size_t i : members[g]) bounds.bodies[i].group = g;
   }
   spread_energy(scene, bounds);
@@ -249,44 +263,28 @@ CONTACT_SCENES_INLINE PairBound pair_bound(const Scene& scene, const SceneBounds
   return pair;
 }
 
-/// Whether any two balls of many touch at the start, or may: by cells as wide as the largest.
-CONTACT_SCENES_INLINE bool crowd_begins_apart(const Scene& scene) {
-  struct Placed {
-    std::array<double, 3> cell;
-    std::size_t body;
-  };
-  double widest = 0;
-  for (const SceneBody& body : scene.bodies) {
+/// Whether no two balls of many touch at the start, and none may: only those are compared whose
+/// bounding boxes touch, with room for the doubt of begins_apart().
+/// @param compared grows by the number of comparisons, of boxes and of balls
+CONTACT_SCENES_INLINE bool crowd_begins_apart(const Scene& scene, std::size_t& compared) {
+  std::vector<Aabb<double>> boxes;
+  std::vector<std::size_t> placed;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneBody& body = scene.bodies[i];
     if (!body.moves) continue;
     if (!is_ball(body)) return false;
-    widest = std::max(widest, 2 * inner_radius(body.shape));
+    const double radius = inner_radius(body.shape);
+    const double reach =
+        rounded_up(radius) + 256 * plan_u * (coordinate_size(body.position) + radius);
+    const Vector3<double> half = Vector3<double>::Constant(reach);
+    boxes.push_back({body.position - half, body.position + half});
+    placed.push_back(i);
   }
-  widest = rounded_up(widest);
-  std::vector<Placed> placed;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (!scene.bodies[i].moves) continue;
-    const Vector3<double>& x = scene.bodies[i].position;
-    placed.push_back(
-        {{std::floor(x.x() / widest), std::floor(x.y() / widest), std::floor(x.z() / widest)}, i});
-  }
-  const auto before = [](const Placed& a, const Placed& b) {
-    return a.cell != b.cell ? a.cell < b.cell : a.body < b.body;
-  };
-  std::sort(placed.begin(), placed.end(), before);
-  for (const Placed& one : placed) {
-    for (int near = 0; near < 27; ++near) {
-      const int right = near % 3 - 1;
-      const int ahead = near / 3 % 3 - 1;
-      const int up = near / 9 - 1;
-      const std::array<double, 3> cell{one.cell[0] + right, one.cell[1] + ahead, one.cell[2] + up};
-      auto other = std::lower_bound(placed.begin(), placed.end(), Placed{cell, 0}, before);
-      for (; other != placed.end() && other->cell == cell; ++other) {
-        if (other->body <= one.body) continue;
-        if (!begins_apart(scene.bodies[one.body], scene.bodies[other->body])) return false;
-      }
-    }
-  }
-  return true;
+  const PairSearch near = tree_pairs<double>(boxes);
+  compared += near.box_tests + near.pairs.size();
+  return std::all_of(near.pairs.begin(), near.pairs.end(), [&](const BoxPair& pair) {
+    return begins_apart(scene.bodies[placed[pair.a]], scene.bodies[placed[pair.b]]);
+  });
 }
 
 /// All pairs of a crowd as one bound, and one for each fixed body.
@@ -326,7 +324,7 @@ CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) 
   all.inverse_mass = 2 * max_inverse_mass;
   const EnergyShare& share = bounds.groups[group];
   all.closing = speed_at_most(share, 2 * max_surface_inverse_mass, bounds.gravity, scene.duration);
-  all.apart = crowd_begins_apart(scene);
+  all.apart = crowd_begins_apart(scene, bounds.compared);
   bounds.pairs.push_back(all);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const SceneBody& other = scene.bodies[k];
@@ -345,7 +343,9 @@ CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) 
     pair.closing = speed_at_most(share, max_surface_inverse_mass, bounds.gravity, scene.duration);
     pair.apart = true;
     for (std::size_t i = 0; i < scene.bodies.size() && pair.apart; ++i) {
-      if (scene.bodies[i].moves) pair.apart = begins_apart(scene.bodies[i], other);
+      if (!scene.bodies[i].moves) continue;
+      ++bounds.compared;
+      pair.apart = begins_apart(scene.bodies[i], other);
     }
     bounds.pairs.push_back(pair);
   }
@@ -367,10 +367,13 @@ CONTACT_SCENES_INLINE void separate_pairs(const Scene& scene, bool locked, Scene
     bounds.bodies[k].disturbed = true;
     sets.unite(i, k);
   };
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!scene.bodies[i].moves) continue;
+  std::vector<std::size_t> movers;
+  for (std::size_t i = 0; i < n; ++i)
+    if (scene.bodies[i].moves) movers.push_back(i);
+  for (const std::size_t i : movers) {
     const double outer = bounds.bodies[i].outer;
     for (std::size_t k = 0; k < n; ++k) {
+      ++bounds.compared;
       const SceneBody& other = scene.bodies[k];
       if (other.moves ? k > i && flights_may_meet(scene.bodies[i], other,
                                                   rounded_up(outer + bounds.bodies[k].outer),
@@ -395,9 +398,9 @@ CONTACT_SCENES_INLINE void separate_pairs(const Scene& scene, bool locked, Scene
     changed = false;
     regroup(scene, locked, sets, bounds);
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < n; ++k) {
-        if (i == k || !bounds.bodies[i].disturbed || !scene.bodies[k].moves) continue;
-        if (sets.find(i) == sets.find(k) || !in_reach(i, k)) continue;
+      if (!bounds.bodies[i].disturbed) continue;
+      for (const std::size_t k : movers) {
+        if (i == k || sets.find(i) == sets.find(k) || !in_reach(i, k)) continue;
         meet(i, k);
         changed = true;
       }
@@ -426,6 +429,7 @@ CONTACT_SCENES_INLINE SceneBounds scene_bounds(const Scene& scene) {
     bounds.bodies.push_back(detail::body_bound(body));
     if (body.moves) ++bounds.movers;
   }
+  bounds.floors = detail::level_floors(scene);
   const bool locked = detail::rotation_is_decoupled(scene);
   bounds.crowded = bounds.movers > crowd_size;
   if (bounds.crowded) {

@@ -51,6 +51,7 @@ CONTACT_SCENES_INLINE nlohmann::json json_of(const Decision& decision) {
           {"error_is", decision.error_is},
           {"instructions", number_or_null(decision.saving.instructions)},
           {"instructions_are", decision.saving.is},
+          {"changes_nothing", decision.changes_nothing},
           {"value", decision.value ? number_or_null(*decision.value) : nlohmann::json(nullptr)}};
 }
 

@@ -57,15 +57,13 @@ CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanInput& q) {
 
 // [rotation-rule]
 CONTACT_SCENES_INLINE Proof smooth_balls(const PlanInput& q) {
-  double spinning = 0;
-  for (const SceneBody& body : q.scene->bodies)
-    spinning += body.moves && !is_ball(body) && !body.angular_velocity.isZero(0) ? 1 : 0;
   return {
       "The contact force on a smooth ball acts through its centre, without torque; a body that "
       "touches nothing and does not rotate keeps its orientation.",
       {{"moving bodies other than balls that may touch something", touching_non_balls(q),
         Relation::equal, 0, "none", ""},
-       {"moving bodies other than balls that rotate", spinning, Relation::equal, 0, "none", ""},
+       {"moving bodies other than balls that rotate", q.motion.rotating, Relation::equal, 0, "none",
+        ""},
        {"largest friction between bodies that may meet", max_friction(q.pairs), Relation::equal, 0,
         "smooth", ""}}};
 }
@@ -98,6 +96,12 @@ CONTACT_SCENES_INLINE double mirrors_apart(const SceneBody& a, const SceneBody& 
 CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanInput& q, const PairBound& pair, int axis) {
   const Scene& scene = *q.scene;
   if (!pair.crowd) return mirrors_apart(scene.bodies[pair.a], scene.bodies[pair.b], axis);
+  if (pair.half_space) return 0;
+  if (pair.both_move) {
+    // The farthest from one of them is at an end.
+    const double from = scene.bodies[pair.b].position(axis);
+    return std::max(std::abs(q.motion.low(axis) - from), std::abs(q.motion.high(axis) - from));
+  }
   double most = 0;
   for (const SceneBody& body : scene.bodies) {
     if (body.moves) most = std::max(most, mirrors_apart(body, scene.bodies[pair.b], axis));
@@ -117,19 +121,10 @@ CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanInput& q, const PairBoun
 CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanInput& q, int axis) {
   const Scene& scene = *q.scene;
   const bool smooth = is_proven(smooth_balls(q));
-  double velocity = 0;
-  double angular_velocity = 0;
-  double asymmetric = 0;
+  const double velocity = q.motion.velocity(axis);
+  const double angular_velocity = smooth ? 0 : q.motion.angular_velocity(axis);
+  double asymmetric = q.motion.asymmetric(axis);
   double apart = 0;
-  for (const SceneBody& body : scene.bodies) {
-    if (!body.moves) continue;
-    velocity = std::max(velocity, std::abs(body.velocity(axis)));
-    asymmetric += detail::is_mirrored(body, axis) ? 0 : 1;
-    for (int k = 0; k < 3 && !smooth; ++k) {
-      if (k != axis)
-        angular_velocity = std::max(angular_velocity, std::abs(body.angular_velocity(k)));
-    }
-  }
   for (const PairBound& pair : q.pairs) {
     if (!pair.both_move && !detail::is_mirrored(scene.bodies[pair.b], axis)) asymmetric += 1;
     apart = std::max(apart, detail::mirrors_apart_in(q, pair, axis));
@@ -180,18 +175,19 @@ CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanInput& 
   const Scene& scene = *q.scene;
   double off_table = 0;
   double soft = 0;
+  bool balls = true;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SceneBody& body = scene.bodies[i];
     if (!body.moves) continue;
     bool lies = false;
-    for (const SceneBody& floor : scene.bodies) {
-      const auto* plane = std::get_if<HalfSpaceShape>(&floor.shape);
-      const auto* ball = std::get_if<BallShape>(&body.shape);
-      if (plane == nullptr || ball == nullptr || detail::level_axis(plane->normal) != axis)
-        continue;
-      if (!(plane->normal(axis) * scene.gravity(axis) < 0)) continue;
-      const double height = plane->normal(axis) * body.position(axis);
-      if (detail::sign_of_rest(height, plane->offset, ball->radius) != 0) continue;
+    const auto* ball = std::get_if<BallShape>(&body.shape);
+    balls = balls && ball != nullptr;
+    for (const std::size_t k : q.bounds.floors) {
+      const SceneBody& floor = scene.bodies[k];
+      const auto& plane = std::get<HalfSpaceShape>(floor.shape);
+      if (ball == nullptr) continue;
+      const double height = plane.normal(axis) * body.position(axis);
+      if (detail::sign_of_rest(height, plane.offset, ball->radius) != 0) continue;
       lies = true;
       const PairMaterial pair =
           pair_material(scene.materials[body.material], scene.materials[floor.material]);
@@ -199,8 +195,9 @@ CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanInput& 
     }
     off_table += lies ? 0 : 1;
   }
-  return {{"moving bodies other than balls that lie exactly on a level floor", off_table,
-           Relation::equal, 0, "none", ""},
+  return {{balls ? "balls that do not lie exactly on a level floor"
+                 : "moving bodies other than balls that lie exactly on a level floor",
+           off_table, Relation::equal, 0, "none", ""},
           {"balls that sink into their floor", soft, Relation::equal, 0, "none", ""},
           {"largest friction between bodies that may meet", max_friction(q.bounds.pairs),
            Relation::equal, 0, "smooth", ""}};
@@ -224,11 +221,37 @@ CONTACT_SCENES_INLINE std::vector<PairBound> pairs_off_table(const Scene& scene,
 
 }  // namespace detail
 
+namespace detail {
+
+CONTACT_SCENES_INLINE MotionRange motion_range(const Scene& scene, const SceneBounds& bounds) {
+  MotionRange range;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneBody& body = scene.bodies[i];
+    if (!body.moves) continue;
+    range.velocity = range.velocity.cwiseMax(body.velocity.cwiseAbs());
+    range.low = range.low.cwiseMin(body.position);
+    range.high = range.high.cwiseMax(body.position);
+    const Vector3<double> rate = body.angular_velocity.cwiseAbs();
+    for (int axis = 0; axis < 3; ++axis) {
+      range.asymmetric(axis) += is_mirrored(body, axis) ? 0 : 1;
+      range.angular_velocity(axis) =
+          std::max({range.angular_velocity(axis), rate((axis + 1) % 3), rate((axis + 2) % 3)});
+    }
+    if (is_ball(body)) continue;
+    range.rotating += body.angular_velocity.isZero(0) ? 0 : 1;
+    range.touching += bounds.bodies[i].disturbed ? 1 : 0;
+  }
+  return range;
+}
+
+}  // namespace detail
+
 CONTACT_SCENES_INLINE PlanInput plan_input(const Scene& scene, std::vector<std::string> dropped) {
   PlanInput q;
   q.dropped = std::move(dropped);
   q.scene = &scene;
   q.bounds = scene_bounds(scene);
+  q.motion = detail::motion_range(scene, q.bounds);
   q.pairs = q.bounds.pairs;
   // If the order of events is required, no position error is allowed: it may swap two events.
   if (!scene.tolerance.event_order) q.tolerance = scene.tolerance.position.value_or(0);

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include <contact/plan/plan.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_check.hpp>
 
 namespace contact::scenes {
 
@@ -28,9 +30,10 @@ CONTACT_SCENES_INLINE std::vector<Effect> effects_of(const std::vector<std::stri
       if (can_be_switched(one))
         known += (known.empty() ? "" : ", ") + std::string(effect_name(one));
     }
+    const std::string said = shortened(name);
     throw std::invalid_argument(
-        effect ? "'" + name + "' is a value; it is not switched on or off. These are: " + known
-               : "there is no effect called '" + name + "'; there are " + known);
+        effect ? "'" + said + "' is a value; it is not switched on or off. These are: " + known
+               : "there is no effect called '" + said + "'; there are " + known);
   }
   return effects;
 }
@@ -43,9 +46,32 @@ CONTACT_SCENES_INLINE double seconds_of(const std::string& option, const std::st
   const double seconds = std::strtod(text.c_str(), &end);
   const bool number = !text.empty() && *end == '\0' && std::isfinite(seconds);
   if (!number || seconds < 0 || (seconds == 0 && !zero))
-    throw std::invalid_argument(option + " " + text + ": must be finite and " +
+    throw std::invalid_argument(option + " " + shortened(text) + ": must be finite and " +
                                 (zero ? "not negative" : "greater than 0") + ", in seconds");
   return seconds;
+}
+
+CONTACT_SCENES_INLINE void require_possible_run(double until, double every, const Plan& plan) {
+  const std::string option = "--until " + shortest_text(until);
+  const auto counted = [&](double count, double each, const std::string& what) {
+    return option + ": that is " + contact::detail::short_number(count) + " " + what + " of " +
+           shortest_text(each) + " s, and a run has at most " +
+           contact::detail::short_number(max_steps) + "; ";
+  };
+  if (until > max_scene_value) {
+    throw std::invalid_argument(option + ": must be at most " + shortest_text(max_scene_value) +
+                                " s, like the duration of a scene");
+  }
+  if (plan.step > 0 && until / plan.step > max_steps) {
+    throw std::invalid_argument(counted(until / plan.step, plan.step, "steps") + "choose at most " +
+                                contact::detail::short_number(max_steps * plan.step) +
+                                " s, or a longer step by --step");
+  }
+  if (every > 0 && until / every > max_steps) {
+    throw std::invalid_argument(counted(until / every, every, "frames") + "choose at most " +
+                                contact::detail::short_number(max_steps * every) +
+                                " s, or fewer frames by --every");
+  }
 }
 
 CONTACT_SCENES_INLINE PlanOptions plan_options(const PlanWords& words) {

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include <contact/aabb.hpp>
+#include <contact/box_pairs.hpp>
 #include <contact/closest_points.hpp>
 #include <contact/convex_hull.hpp>
 #include <contact/inertia.hpp>
@@ -19,6 +21,7 @@
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>
 #include <contact/signed_distance.hpp>
+#include <contact/tree_pairs.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -53,10 +56,10 @@ class SceneChecker {
   }
 
  private:
-  void fault(std::string path, std::string value, std::string allowed) {
-    faults_.push_back({std::move(path), std::move(value), std::move(allowed)});
+  void fault(std::string path, const std::string& value, std::string allowed) {
+    faults_.push_back({std::move(path), shortened(value), std::move(allowed)});
   }
-  static std::string quoted(const std::string& word) { return '"' + word + '"'; }
+  static std::string quoted(const std::string& word) { return '"' + shortened(word, 100) + '"'; }
   static std::string at(const char* list, std::size_t i) {
     return std::string(list) + '[' + std::to_string(i) + ']';
   }
@@ -296,7 +299,7 @@ class SceneChecker {
     }
   }
 
-  void pair(std::size_t i, std::size_t k) {
+  void pair_of(std::size_t i, std::size_t k) {
     const SceneBody& a = scene_.bodies[i];
     const SceneBody& b = scene_.bodies[k];
     if (!a.moves && !b.moves) return;
@@ -309,36 +312,29 @@ class SceneChecker {
               shortest_text(-*gap) + " m; touching is allowed");
   }
 
-  /// Bodies are sorted by their lower bound along x, so that only neighbours are compared.
+  /// Only bodies whose bounding boxes touch are compared, and each with every half-space.
   void overlaps() {
-    std::vector<std::size_t> order;
+    std::vector<std::size_t> bounded;
     std::vector<std::size_t> grounds;
-    std::vector<double> radius(scene_.bodies.size(), 0);
+    std::vector<Aabb<double>> boxes;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
       if (!placed_[i]) continue;
-      radius[i] = bounding_radius(scene_.bodies[i].shape);
-      (std::isinf(radius[i]) ? grounds : order).push_back(i);
+      const SceneBody& body = scene_.bodies[i];
+      const double radius = bounding_radius(body.shape);
+      (std::isinf(radius) ? grounds : bounded).push_back(i);
+      if (std::isinf(radius)) continue;
+      const Vector3<double> half = Vector3<double>::Constant(radius);
+      boxes.push_back({body.position - half, body.position + half});
     }
-    const auto begin = [&](std::size_t i) { return scene_.bodies[i].position.x() - radius[i]; };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t k) { return begin(i) < begin(k); });
     std::vector<std::array<std::size_t, 2>> near;
-    for (std::size_t at_i = 0; at_i < order.size(); ++at_i) {
-      const std::size_t i = order[at_i];
+    for (const std::size_t i : bounded) {
       for (const std::size_t ground : grounds)
         near.push_back({std::min(i, ground), std::max(i, ground)});
-      const Vector3<double>& x = scene_.bodies[i].position;
-      for (std::size_t at_k = at_i + 1; at_k < order.size(); ++at_k) {
-        const std::size_t k = order[at_k];
-        if (begin(k) > x.x() + radius[i]) break;
-        const Vector3<double> away = (scene_.bodies[k].position - x).cwiseAbs();
-        const double radius_sum = radius[i] + radius[k];
-        if (away.y() <= radius_sum && away.z() <= radius_sum)
-          near.push_back({std::min(i, k), std::max(i, k)});
-      }
     }
+    for (const BoxPair& pair : tree_pairs<double>(boxes).pairs)
+      near.push_back({bounded[pair.a], bounded[pair.b]});
     std::sort(near.begin(), near.end());
-    for (const auto& [i, k] : near) pair(i, k);
+    for (const auto& [i, k] : near) pair_of(i, k);
   }
 
   const Scene& scene_;

@@ -40,7 +40,7 @@ inline std::size_t distance(std::string_view a, std::string_view b) {
 inline std::string joined(const Keys& words) {
   std::string all;
   for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
-  return all;
+  return shortened(all);
 }
 
 /// The most similar of some words, if it is similar: at most a third of its letters differ, or one.
@@ -74,7 +74,7 @@ class FieldReader {
   }
   void fault_at(int line, const std::string& path, const std::string& value,
                 const std::string& allowed) {
-    faults_.push_back({line, {path, value, allowed}});
+    faults_.push_back({line, {path, shortened(value), allowed}});
     wrong_.insert(path);
   }
   void unfit(const std::string& path, const JsonNode& node, const std::string& allowed) {

@@ -160,6 +160,8 @@ struct SceneBounds {
   double gravity = 0;               ///< its size, m/s²
   double speed = 0;                 ///< the largest of all, m/s
   bool crowded = false;             ///< too many bodies to test each pair
+  std::vector<std::size_t> floors;  ///< level half-spaces that hold what falls onto them, by index
+  std::size_t compared = 0;         ///< how often two bodies were compared to make these bounds
 };
 
 /// Beyond this number of moving bodies pairs are not tested one by one: all may meet.
@@ -208,9 +210,14 @@ inline double travel_at_most(const EnergyShare& share, double w, double gravity,
 
 namespace detail {
 
+/// The half-spaces onto which gravity pulls, with normal and gravity exactly along one axis; by
+/// index.
+std::vector<std::size_t> level_floors(const Scene& scene);
+
 /// A group's bounds from its members.
-EnergyShare energy_of(const Scene& scene, const std::vector<std::size_t>& members, bool locked,
-                      double gravity);
+/// @param floors from level_floors()
+EnergyShare energy_of(const Scene& scene, const std::vector<std::size_t>& floors,
+                      const std::vector<std::size_t>& members, bool locked, double gravity);
 
 }  // namespace detail
 

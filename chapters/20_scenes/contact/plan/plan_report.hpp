@@ -53,9 +53,19 @@ struct TableStyle {
 /// A number for readers: four digits, or all if it is whole and short.
 std::string plan_number(double x);
 
-/// An inequality with both sides in words: "fall in the whole duration: 44.1 m > 0.01 m (tolerance
-/// of a position)". A condition that fails is written with the sign that holds.
+/// A condition as a short sentence that is true of the scene, whether the condition holds or fails:
+/// "gravity along z is 10 m/s²", "no gravity along z". A condition of unknown words is said by
+/// these.
+std::string condition_text(const Inequality& condition);
+
+/// The same with both sides in words where two numbers are compared: "fall in the whole duration:
+/// 44.1 m > 0.01 m (tolerance of a position)". A condition that fails is written with the sign that
+/// holds.
 std::string inequality_text(const Inequality& condition);
+
+/// What decided, in a few words: of an effect that is off the theorem or one number of its proof,
+/// of an effect that is on what the proof lacks that lacks least.
+std::string reason_text(const Decision& decision);
 
 /// The sum of the errors that a plan accepts, beside the tolerance: a sentence.
 std::string accepted_text(const Plan& plan);
@@ -63,10 +73,17 @@ std::string accepted_text(const Plan& plan);
 /// "Measured: 0.52 ms of processor time a second as planned, 0.81 ms with it (1.6 times), ...".
 std::string measured_text(const MeasuredEffect& measured, bool on);
 
-/// The table: effect, on or off, what decided, the error accepted, the cost saved.
+/// The summary: a line for each effect with on or off, what decided, and the error accepted. At
+/// most 25 lines of 80 columns; what does not fit is cut, and ends with an ellipsis.
+std::string plan_summary(const Scene& scene, const Plan& plan, const TableStyle& style);
+
+/// The long form, in 80 columns: for each effect on or off, the theorem, its conditions with their
+/// numbers, the error accepted, the cost saved.
 /// @param measured measured costs of effects; empty if nothing was measured
+/// @param only the one effect to explain; empty: all, with the plan's notices
 std::string plan_text(const Scene& scene, const Plan& plan,
-                      const std::vector<MeasuredEffect>& measured, const TableStyle& style);
+                      const std::vector<MeasuredEffect>& measured, const TableStyle& style,
+                      std::optional<Effect> only = std::nullopt);
 
 /// The same as JSON, contact-plan/1. Numbers that are infinite are null.
 nlohmann::json plan_json(const Scene& scene, const Plan& plan,
@@ -76,5 +93,6 @@ nlohmann::json plan_json(const Scene& scene, const Plan& plan,
 
 #ifndef CONTACT_SCENES_COMPILED
 #include "../../src/plan_json.cpp"
+#include "../../src/plan_phrases.cpp"
 #include "../../src/plan_text.cpp"
 #endif

@@ -35,10 +35,24 @@
 
 namespace contact {
 
+/// The bodies that move, as they are at the start.
+struct MotionRange {
+  Vector3<double> velocity = Vector3<double>::Zero();  ///< largest size along each axis, m/s
+  /// Largest component about another axis than each, rad/s
+  Vector3<double> angular_velocity = Vector3<double>::Zero();
+  /// How many are not their own mirror image across each axis
+  Vector3<double> asymmetric = Vector3<double>::Zero();
+  Vector3<double> low = Vector3<double>::Constant(detail::infinite);    ///< least coordinates, m
+  Vector3<double> high = Vector3<double>::Constant(-detail::infinite);  ///< largest coordinates, m
+  double rotating = 0;  ///< how many rotate and are not balls
+  double touching = 0;  ///< how many may touch something and are not balls
+};
+
 /// The input of every rule of the planner. Make it with plan_input().
 struct PlanInput {
   const Scene* scene = nullptr;    ///< the scene that is planned
   SceneBounds bounds;              ///< what its energy allows
+  MotionRange motion;              ///< how its bodies move at the start
   int table = -1;                  ///< the axis of a level table that cancels gravity; −1: none
   std::vector<PairBound> pairs;    ///< that may meet, without balls and the table on which they lie
   double tolerance = 0;            ///< of a position, m; 0: none is given
@@ -75,12 +89,7 @@ inline double max_friction(const std::vector<PairBound>& pairs) {
 }
 
 /// How many moving bodies that are not balls may touch something.
-inline double touching_non_balls(const PlanInput& q) {
-  double count = 0;
-  for (std::size_t i = 0; i < q.bounds.bodies.size(); ++i)
-    count += q.bounds.bodies[i].disturbed && !is_ball(q.scene->bodies[i]) ? 1 : 0;
-  return count;
-}
+inline double touching_non_balls(const PlanInput& q) { return q.motion.touching; }
 
 /// The condition that no pair of bodies may meet.
 Inequality nothing_meets(const PlanInput& q);

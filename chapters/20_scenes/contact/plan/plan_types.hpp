@@ -121,8 +121,11 @@ struct Decision {
   double error = 0;                 ///< position error accepted, m
   std::string error_is = "none";    ///< the same in words
   Saving saving;                    ///< what leaving it out saves, estimated
-  std::optional<double> value;      ///< of a step size (s) or a horizon (s)
-  std::vector<Proof> tried;         ///< every proof that the rule tried, in order
+  /// Why the run stays the same when the effect is switched, or was by an override; empty if it
+  /// does not, or may not
+  std::string changes_nothing;
+  std::optional<double> value;  ///< of a step size (s) or a horizon (s)
+  std::vector<Proof> tried;     ///< every proof that the rule tried, in order
 };
 
 /// Makes a decision from a rule's proofs.

@@ -26,6 +26,16 @@ inline constexpr double scene_unit_slack = 1e-12;
 inline constexpr std::size_t max_scene_bodies = 1'000'000;
 // [/scene-limits]
 
+/// A value for an error message: itself, or so many of its bytes that it has at most `most` with
+/// the three points at its end. A character of several bytes is not divided.
+/// @param most at least 3
+inline std::string shortened(const std::string& value, std::size_t most = 200) {
+  if (value.size() <= most) return value;
+  std::size_t end = most - 3;
+  while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xc0U) == 0x80U) --end;
+  return value.substr(0, end) + "...";
+}
+
 /// A fault of a scene.
 struct SceneFault {
   std::string path;     ///< where, as in the file: "bodies[3].mass"
@@ -33,10 +43,11 @@ struct SceneFault {
   std::string allowed;  ///< what is allowed
 };
 
-/// A fault as a line: "bodies[3].mass = -1: must be from 1e-30 to 1e+30 kg".
+/// A fault as a line: "bodies[3].mass = -1: must be from 1e-30 to 1e+30 kg". Of a long path or
+/// value, 200 characters.
 inline std::string fault_text(const SceneFault& fault) {
-  if (fault.value.empty()) return fault.path + ": " + fault.allowed;
-  return fault.path + " = " + fault.value + ": " + fault.allowed;
+  if (fault.value.empty()) return shortened(fault.path) + ": " + fault.allowed;
+  return shortened(fault.path) + " = " + shortened(fault.value) + ": " + fault.allowed;
 }
 
 /// A number as the shortest text from which the same bits are read; "NaN", "Infinity" or

@@ -34,12 +34,14 @@ export interface Decision {
   /** Whether it is switched; else it is a value. */
   readonly switched: boolean;
   readonly why: string;
-  /** The inequalities, as `contact plan` writes them. */
+  /** The conditions, as `contact plan --explain` writes them. */
   readonly says: readonly string[];
   readonly error: number | null;
   readonly error_is: string;
   readonly instructions: number | null;
   readonly instructions_are: string;
+  /** Why switching it leaves the run as it is; empty if it does not, or may not. */
+  readonly changes_nothing: string;
   readonly value: number | null;
 }
 

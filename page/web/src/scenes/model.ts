@@ -42,7 +42,8 @@ function errorOf({ error, error_is }: Decision): string {
     : "Error accepted: none.";
 }
 
-function costOf({ instructions, instructions_are, planned }: Decision): string {
+function costOf({ changes_nothing, instructions, instructions_are, planned }: Decision): string {
+  if (changes_nothing) return `Switching it changes nothing here: ${changes_nothing}.`;
   if (instructions_are === "") return "";
   if (!instructions) return `${planned ? "Costs" : "Saves"} ${instructions_are}.`;
   const costs = planned === instructions > 0;
