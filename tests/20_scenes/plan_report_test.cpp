@@ -3,6 +3,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_hypotheses.hpp>
 #include <contact/plan/plan_report.hpp>
 #include <limits>
 #include <string>
@@ -62,6 +63,20 @@ TEST_CASE("a condition of a rule that has no sentence is said by its own words")
   CHECK(condition_text(unknown) == "moons: 2, not 0");
   unknown.relation = Relation::less;
   CHECK(condition_text(unknown) == "moons: 2 ≥ 0");
+}
+
+TEST_CASE("each hypothesis of a proof has a sentence, whether it holds or fails") {
+  for (const contact::Hypothesis& one : contact::proof_hypotheses()) {
+    CAPTURE(one.id);
+    Inequality condition =
+        contact::required(one.id, 3, one.relation == Relation::equal ? 0 : 1, {});
+    const std::string fails = condition_text(condition);
+    CHECK(fails.find(": 3") == std::string::npos);
+    condition.left = 0;
+    const std::string held = condition_text(condition);
+    CHECK(held.find(": 0") == std::string::npos);
+    CHECK(held != fails);
+  }
 }
 
 TEST_CASE("of the proofs that fail, a summary names the one that lacks least") {
