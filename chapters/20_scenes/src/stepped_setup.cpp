@@ -228,7 +228,7 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
     if (edges) add(line.substep, "end of support", "by bisection", find_end_of_support);
   }
   // [/pipeline]
-  if (meet) add(line.substep, "doubts", "whether a force varies", note_varying_forces);
+  if (meet) add(line.substep, "check of forces", "whether one varies", note_varying_forces);
   const bool bounce = meet && is_on(plan, Effect::restitution);
   if (bounce) add(line.substep, "bounces", "of impacts that are processed together", solve_bounces);
   add(line.substep, "motion", "exact for constant acceleration", move_bodies);
