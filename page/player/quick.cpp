@@ -9,6 +9,7 @@
 #include <src/hull_contact.cpp>
 #include <src/make_scene_run.cpp>
 #include <src/scene_run.cpp>
+#include <src/stage_contact_events.cpp>
 #include <src/stage_contacts.cpp>
 #include <src/stage_forces.cpp>
 #include <src/stage_impacts.cpp>
@@ -20,5 +21,6 @@
 #include <src/stepped_run.cpp>
 #include <src/stepped_setup.cpp>
 #include <src/stepped_state.cpp>
+#include <src/substep_motion.cpp>
 
 #include "player_run.cpp"

@@ -50,8 +50,7 @@ TEMPLATE_TEST_CASE("a box over a step contains the body at each of its times", "
     for (int round = 0; round < generators::tried(24); ++round) {
       const auto start = families::make<S>(random, family, 4);
       std::vector<Aabb<S>> end;
-      for (const Aabb<S>& box : start)
-        end.push_back(moved<S>(box, families::in_box<S>(random, 3)));
+      for (const Aabb<S>& box : start) end.push_back(moved<S>(box, families::in_box<S>(random, 3)));
       const S margin = round % 2 == 0 ? S(0) : static_cast<S>(random.uniform(0, 2));
       const auto over = contact::boxes_over_step<S>(start, end, margin);
       for (std::size_t i = 0; i < start.size(); ++i) {

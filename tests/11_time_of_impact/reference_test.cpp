@@ -102,8 +102,7 @@ Pair<S> pair_of(Random& random, int kind) {
   p.va = in_box<S>(random, 3);
   p.vb = in_box<S>(random, 3);
   // Half of them are aimed at each other.
-  if (random.chance(0.5))
-    p.va = p.vb + (p.b.centre - p.a.centre) * S(0.7) + in_box<S>(random, 0.5);
+  if (random.chance(0.5)) p.va = p.vb + (p.b.centre - p.a.centre) * S(0.7) + in_box<S>(random, 0.5);
   const S radius_sum = p.a.radius + p.b.radius;
   if (kind == 2) {
     // The path passes at a distance of the sum of both radii.
@@ -320,8 +319,8 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
         sphere.centre.z() = nudged(random, sphere.radius, 2);
         break;
       case 3:  // any plane
-        plane = contact::plane_from_normal_and_point<S>(
-            in_box<S>(random, 1) + Vector3<S>(0, 0, 2), in_box<S>(random, 2));
+        plane = contact::plane_from_normal_and_point<S>(in_box<S>(random, 1) + Vector3<S>(0, 0, 2),
+                                                        in_box<S>(random, 2));
         break;
       default:  // no gravity, or almost none
         plane = {Vector3<S>::UnitX(), S(-2)};

@@ -303,7 +303,8 @@ TEST_CASE(
     for (auto& each : box) {
       each.half_lengths = boxes::in_box(random, 0.6).cwiseAbs() + V::Constant(0.1);
       each.position = boxes::in_box(random, 2.5);
-      each.orientation = contact::normalised(contact::exponential<double>(boxes::in_box(random, 3)));
+      each.orientation =
+          contact::normalised(contact::exponential<double>(boxes::in_box(random, 3)));
       each.velocity = boxes::in_box(random, 3);
       if (i % 2 == 0) each.angular_velocity = boxes::in_box(random, 6);
     }

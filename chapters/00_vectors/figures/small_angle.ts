@@ -127,8 +127,20 @@ export default defineFigure<Input, Output>({
     for (const type of [0, 1] as const) {
       const name = type ? "double" : "float";
       for (const [errors, role, way, [label, ...offset], anchor] of [
-        [output.cosine_curve, "miss", "arccos", positions[type] ?? NOWHERE, type ? "start" : "middle"],
-        [output.both_curve, "hit", "both", positions[2 + type] ?? NOWHERE, type ? "middle" : "start"],
+        [
+          output.cosine_curve,
+          "miss",
+          "arccos",
+          positions[type] ?? NOWHERE,
+          type ? "start" : "middle",
+        ],
+        [
+          output.both_curve,
+          "hit",
+          "both",
+          positions[2 + type] ?? NOWHERE,
+          type ? "middle" : "start",
+        ],
       ] as const) {
         const curve: Vec2[] = [];
         for (let k = 0; k < STEPS; k++) {

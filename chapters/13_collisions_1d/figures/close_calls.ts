@@ -42,7 +42,10 @@ export default defineFigure<Input, Output>({
   draw(scene, _input, output) {
     scene.line([position(0), SCALE], [position(5000), SCALE], { role: "muted", width: 2 });
     for (const n of [5, 1000, 2000, 3000, 4000, 5000]) {
-      scene.line([position(n), SCALE - 0.1], [position(n), SCALE + 0.1], { role: "muted", width: 1 });
+      scene.line([position(n), SCALE - 0.1], [position(n), SCALE + 0.1], {
+        role: "muted",
+        width: 1,
+      });
       scene.label([position(n), SCALE], pretty(n), {
         role: "muted",
         offset: [0, 20],

@@ -18,12 +18,12 @@ constexpr double two_swings = 12.566370614359172;  // 4π
 struct Output {
   double problem;
   std::array<double, points> positions, speed;  // after each step; the last is repeated
-  std::array<double, 97> round_x, round_y;  // the exact motion, for one period
-  double steps;                             // in two periods
-  double kept;                              // energy after these, over that of the start
-  double largest;                           // largest energy, over that of the start
-  Vector2 last, truth;                      // numerical and exact state after these steps
-  double off;                               // distance of these, m
+  std::array<double, 97> round_x, round_y;      // the exact motion, for one period
+  double steps;                                 // in two periods
+  double kept;                                  // energy after these, over that of the start
+  double largest;                               // largest energy, over that of the start
+  Vector2 last, truth;                          // numerical and exact state after these steps
+  double off;                                   // distance of these, m
   double flies_away;  // goal: not explicit Euler, and a hundred times the energy
 };
 

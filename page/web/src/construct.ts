@@ -46,7 +46,11 @@ export function constructAsker(question: Construct): Asker {
           say: "The figure of this question is not loaded; scroll to it first.",
         };
       const right = value >= 1;
-      return { right, kept: right, say: right ? "" : "What is asked is not reached yet: change the figure." };
+      return {
+        right,
+        kept: right,
+        say: right ? "" : "What is asked is not reached yet: change the figure.",
+      };
     },
     lock() {},
     focus: () => go.focus(),
