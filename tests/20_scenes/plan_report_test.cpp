@@ -67,14 +67,14 @@ TEST_CASE("a condition of a rule that has no sentence is said by its own words")
 
 TEST_CASE("each hypothesis of a proof has a sentence, whether it holds or fails") {
   for (const contact::Hypothesis& one : contact::proof_hypotheses()) {
+    if (one.id.starts_with("mirror/")) continue;  // the rule names the axis in the condition
     CAPTURE(one.id);
-    Inequality condition =
-        contact::required(one.id, 3, one.relation == Relation::equal ? 0 : 1, {});
-    const std::string fails = condition_text(condition);
-    CHECK(fails.find(": 3") == std::string::npos);
-    condition.left = 0;
-    const std::string held = condition_text(condition);
-    CHECK(held.find(": 0") == std::string::npos);
+    const double right = one.relation == Relation::equal ? 0 : 1;
+    const std::string own = std::string(one.condition) + ": ";
+    const std::string fails = condition_text(contact::required(one.id, 3, right, {}));
+    const std::string held = condition_text(contact::required(one.id, 0, right, {}));
+    CHECK_FALSE(fails.starts_with(own));
+    CHECK_FALSE(held.starts_with(own));
     CHECK(held != fails);
   }
 }
