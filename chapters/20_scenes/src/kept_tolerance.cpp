@@ -1,25 +1,19 @@
 #include <contact/scene/kept_tolerance.hpp>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include <contact/plan/plan.hpp>
 #include <contact/plan/plan_types.hpp>
 #include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_check.hpp>
 #include <contact/scene/scene_run.hpp>
 
 namespace contact {
 
 namespace detail {
-
-/// The shortest digits that give the number back.
-CONTACT_SCENES_INLINE std::string digits_of(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 /// The part of a run that has no doubt yet.
 class PartWithoutDoubt {
@@ -42,8 +36,7 @@ CONTACT_SCENES_INLINE void end_where_plan_has_no_bound(const Plan& plan, PartWit
   if (std::isfinite(plan.error)) return;
   for (const Decision& decision : plan.decisions) {
     const Effect effect = decision.effect;
-    if (decision.overridden && !decision.on && decision.planned && effect != Effect::sleeping &&
-        effect != Effect::broad_phase && effect != Effect::event_driven)
+    if (has_no_bound(plan, decision))
       part.end_at(0, "without " + std::string(effect_name(effect)) +
                          ", which is forced off, the error has no bound");
     if (decision.on != decision.planned || std::isfinite(decision.error)) continue;
@@ -113,10 +106,9 @@ CONTACT_SCENES_INLINE std::string kept_by_text(KeptBy by) {
 
 CONTACT_SCENES_INLINE std::string kept_tolerance_text(const KeptTolerance& kept) {
   if (kept.by == KeptBy::not_asked) return "No tolerance of positions is asked for.";
-  std::string text = "The tolerance of " + detail::digits_of(kept.asked) + " m: ";
+  std::string text = "The tolerance of " + shortest_text(kept.asked) + " m: ";
   if (kept.by == KeptBy::nothing) return text + "not known to be kept: " + kept.why + ".";
-  text +=
-      kept.whole() ? "kept in the whole run" : "kept up to " + detail::digits_of(kept.until) + " s";
+  text += kept.whole() ? "kept in the whole run" : "kept up to " + shortest_text(kept.until) + " s";
   text += kept.by == KeptBy::proof ? ", proven" : ", by an estimate";
   return text + (kept.whole() ? "." : "; after that no bound: " + kept.why + ".");
 }

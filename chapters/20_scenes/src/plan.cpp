@@ -78,8 +78,6 @@ CONTACT_SCENES_INLINE bool is_idle(const Plan& plan, const Decision& switched) {
   return switched.overridden && !idle_reason(plan, switched, switched.on).empty();
 }
 
-/// Whether an effect is forced off that the plan has on, so that the error has no bound. Bodies may
-/// always stay awake, pairs unsorted, and an event-driven scene may go in steps.
 CONTACT_SCENES_INLINE bool has_no_bound(const Plan& plan, const Decision& decision) {
   if (!decision.overridden || decision.on || !decision.planned) return false;
   if (is_idle(plan, decision)) return false;

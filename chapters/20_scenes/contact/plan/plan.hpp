@@ -20,6 +20,10 @@ inline bool is_listed(const std::vector<Effect>& effects, Effect effect) {
   return std::find(effects.begin(), effects.end(), effect) != effects.end();
 }
 
+/// Whether an effect is forced off that the plan has on, so that the error has no bound. Bodies may
+/// always stay awake, pairs unsorted, and an event-driven scene may go in steps.
+bool has_no_bound(const Plan& plan, const Decision& decision);
+
 /// A number for a sentence: four digits.
 inline std::string short_number(double x) {
   char text[48];
