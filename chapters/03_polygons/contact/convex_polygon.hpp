@@ -16,7 +16,10 @@ namespace contact {
 ///
 /// Limits: rounded, a point close to an edge can be put on the wrong side or on the edge; it may be
 /// wrong within about 4u (|edge| |p − a|) of the edge. Exact for S = Exact or the rationals. No
-/// vertices give outside. A polygon without area has its whole line as `on`. NaN gives outside.
+/// vertices give outside. A polygon without area has its whole line as `on`; one of equal vertices,
+/// the whole plane. A repeated vertex makes inside points `on`: an edge of length 0 has distance 0
+/// from every point. NaN gives outside, as does a point that is not finite. Overflow can make any
+/// answer wrong, and underflow can give `on`.
 ///
 /// Source: *Interaction and Normals*, slide "Ray Basics".
 template <Ring S>
@@ -89,7 +92,8 @@ Where where_on_first_edges(const Polygon<S>& polygon, const Vector2<S>& p, bool 
 /// angle contains p, and the edge opposite to the first vertex decides.
 ///
 /// Right for every finite input. A point that is not finite is outside; so is any point if the
-/// polygon has fewer than three vertices.
+/// polygon has fewer than three vertices. Without area, or with a repeated vertex, points of the
+/// polygon can be outside.
 ///
 /// @param polygon convex, counter-clockwise, without repeated vertices (`without_repeats`);
 /// vertices on a straight edge are allowed

@@ -4,6 +4,10 @@
 ///
 /// Normals are unit vectors from the second polygon to the first. They are rounded: only which edge
 /// a normal belongs to is decided here.
+///
+/// Degenerate input, unless a function says otherwise: without vertices or segments nothing is
+/// found. An edge that is a point counts as a segment. Points and segments with a coordinate that
+/// is not finite meet nothing.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +22,9 @@ namespace contact {
 
 /// The length of a vector, rounded, without overflow or underflow of the squares. The same on every
 /// machine to the last bit, which `std::hypot` is not.
+///
+/// The zero vector gives 0; NaN gives NaN, even beside an infinite coordinate; otherwise an
+/// infinite coordinate gives ∞, and so does a length above the largest number.
 template <std::floating_point S>
 S length_of(const Vector2<S>& v) {
   const S square = v.x() * v.x() + v.y() * v.y();
@@ -30,7 +37,8 @@ S length_of(const Vector2<S>& v) {
   return std::scalbn(std::sqrt(x * x + y * y), power);
 }
 
-/// The edges of a polygon as segments, in order; edge i leaves vertex i.
+/// The edges of a polygon as segments, in order; edge i leaves vertex i. One vertex gives one
+/// segment, of length 0. Coordinates are copied, finite or not.
 template <Ring S>
 std::vector<Segment2<S>> perimeter_segments(const Polygon<S>& polygon) {
   std::vector<Segment2<S>> edges;
@@ -46,7 +54,8 @@ std::vector<Segment2<S>> perimeter_segments(const Polygon<S>& polygon) {
 /// `spacing` apart along an edge.
 ///
 /// Limits: points between vertices are rounded, so they may be an ulp off the edge. A spacing that
-/// is not positive gives the vertices alone, as does an edge with more than a million points.
+/// is not positive or not finite gives the vertices alone, as does an edge with more than a million
+/// points, or with a length that overflows or is not finite. Vertices are copied, finite or not.
 /// @param spacing m
 template <std::floating_point S>
 std::vector<Vector2<S>> perimeter_points(const Polygon<S>& polygon, S spacing) {
@@ -55,7 +64,8 @@ std::vector<Vector2<S>> perimeter_points(const Polygon<S>& polygon, S spacing) {
     const Vector2<S> along = edge.b - edge.a;
     const S parts = spacing > S(0) ? std::ceil(length_of<S>(along) / spacing) : S(1);
     const int count = parts >= S(1) && parts <= S(1000000) ? static_cast<int>(parts) : 1;
-    for (int i = 0; i < count; ++i) points.push_back(edge.a + S(i) / S(count) * along);
+    points.push_back(edge.a);
+    for (int i = 1; i < count; ++i) points.push_back(edge.a + S(i) / S(count) * along);
   }
   return points;
 }
@@ -122,7 +132,7 @@ std::vector<SegmentHit<S>> edges_on_path(const Segment2<S>& path, const Polygon<
 }
 
 /// The one of these edges that the path meets first: that with the smallest fraction as rounded, of
-/// equals the one with the lowest index.
+/// equals the one with the lowest index. A path that is a point has fraction 0 at every edge.
 template <std::floating_point S>
 std::optional<SegmentHit<S>> first_edge_on_path(const Segment2<S>& path,
                                                 const Polygon<S>& polygon) {
@@ -152,12 +162,15 @@ bool polygons_meet(const Polygon<S>& first, const Polygon<S>& second) {
 
 // [outward-normal]
 /// The unit normal to the right of a segment: outward for an edge of a counter-clockwise polygon. A
-/// segment that is a point, or whose length overflows, gives the zero vector.
+/// segment that is a point, or whose length overflows or is not finite, gives the zero vector.
 template <std::floating_point S>
 Vector2<S> right_normal(const Segment2<S>& edge) {
   const Vector2<S> along = edge.b - edge.a;
   const S length = length_of<S>(along);
   if (!(length > S(0)) || !std::isfinite(length)) return Vector2<S>::Zero();
+  if (length < std::numeric_limits<S>::min()) {  // it has too few digits to divide by
+    return right_normal<S>({Vector2<S>::Zero(), along / std::numeric_limits<S>::epsilon()});
+  }
   return {along.y() / length, -along.x() / length};
 }
 // [/outward-normal]
@@ -182,6 +195,8 @@ PerimeterContact<S> perimeter_contact(const Polygon<S>& first, const Polygon<S>&
 /// The first rule: the outward normal of the segment of the second polygon that was hit.
 ///
 /// Wrong where it is the second polygon's vertex that enters: then the face is the first polygon's.
+/// An edge that is a point, or too long for `right_normal`, gives the zero vector. The hit must be
+/// one of this contact: its indices are not checked.
 template <std::floating_point S>
 Vector2<S> normal_of_hit_segment(const PerimeterContact<S>& contact, const SegmentHit<S>& hit) {
   return right_normal(contact.second[static_cast<std::size_t>(hit.second)]);
@@ -189,7 +204,8 @@ Vector2<S> normal_of_hit_segment(const PerimeterContact<S>& contact, const Segme
 // [/normal-of-hit]
 
 // [normal-by-end]
-/// The distance from a point to the nearer end of a segment, m.
+/// The distance from a point to the nearer end of a segment, m. ∞ if both distances overflow. NaN
+/// in the point or in end a gives NaN; NaN in end b alone gives the distance to a.
 template <std::floating_point S>
 S distance_to_end(const Segment2<S>& segment, const Vector2<S>& p) {
   const Vector2<S> to_a = segment.a - p, to_b = segment.b - p;
@@ -202,7 +218,8 @@ S distance_to_end(const Segment2<S>& segment, const Vector2<S>& p) {
 ///
 /// Wrong where the face is short or its end is near: on a floor of tiles, the nearest end is often
 /// that of a tile, and the rule takes the side of the entering body as the face. The two common
-/// points of one contact may give two normals.
+/// points of one contact may give two normals. A face that is a point, or too long for
+/// `right_normal`, gives the zero vector. The hit must be one of this contact.
 ///
 /// Source: *Game Physics 3*, slide "To the code".
 template <std::floating_point S>
@@ -273,11 +290,12 @@ Vector2<S> mean_of_common_points(const PerimeterContact<S>& contact) {
 /// The points that count are the other polygon's vertices that are inside (or on the boundary), and
 /// both ends of its edges that were hit. Of equal depths, the second polygon's edge with the lowest
 /// index is the face, then the first polygon's. Nothing if no edges meet, or if all edges that meet
-/// are points.
+/// are points or too long for `right_normal`.
 ///
 /// Limits: depths are rounded, so two faces whose depths differ by rounding may be exchanged; the
 /// decisions which edges meet and which vertices are inside are exact. It is a rule for one moment:
-/// a body that moved too far in a step may be least deep behind the wrong face.
+/// a body that moved too far in a step may be least deep behind the wrong face. Differences of
+/// coordinates that overflow can make a depth too small.
 template <std::floating_point S>
 std::optional<ContactFace<S>> face_of_least_penetration(const PerimeterContact<S>& contact) {
   std::optional<ContactFace<S>> best;

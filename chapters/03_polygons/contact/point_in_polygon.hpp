@@ -4,6 +4,11 @@
 ///
 /// The lecture's four methods have two answers, inside and outside; only `winding_number` and
 /// `where` tell `on` apart for every point.
+///
+/// Degenerate input, unless a function says otherwise: without vertices, and for a point with a
+/// coordinate that is not finite, sums, counts and winding numbers are 0, and the point is outside.
+/// Vertices must be finite (`Polygon`). Numbers that overflow can make any answer wrong but those
+/// of `winding_number` and `where`.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +33,8 @@ enum class Rule { even_odd, non_zero };
 ///
 /// Limits: rounded; about n u π. On the boundary, an edge through p contributes +π or −π by chance,
 /// and a vertex at p two angles of a zero vector. One arc tangent for each edge makes it the
-/// slowest method. The last bits may differ from machine to machine, with `std::atan2`.
+/// slowest method. The last bits may differ from machine to machine, with `std::atan2`. A point
+/// that is not finite gives NaN, or 0. Products that underflow can give a wrong sum.
 ///
 /// Source: *Interaction and Normals*, slide "Ray Basics".
 template <std::floating_point S>
@@ -43,7 +49,8 @@ S angle_sum(const Polygon<S>& polygon, const Vector2<S>& p) {
 
 /// Inside if the angles' sum is closer to ±2π (or a multiple) than to 0: the non-zero rule.
 ///
-/// Two answers: on the boundary it is inside or outside, by chance. NaN gives outside.
+/// Two answers: on the boundary it is inside or outside, by chance. A sum that is NaN gives
+/// outside.
 template <std::floating_point S>
 Where where_by_angle_sum(const Polygon<S>& polygon, const Vector2<S>& p) {
   return std::abs(angle_sum(polygon, p)) > std::numbers::pi_v<S> ? Where::inside : Where::outside;
@@ -55,7 +62,8 @@ Where where_by_angle_sum(const Polygon<S>& polygon, const Vector2<S>& p) {
 /// winding number if p is not on the boundary.
 ///
 /// An edge to the opposite quadrant changes by +2 or −2. The side on which it passes p decides
-/// which, and only this decision rounds.
+/// which, and only this decision rounds. A cross product that is NaN or underflows to 0 gives −2:
+/// so a point whose x is NaN can have a sum that is not 0.
 ///
 /// Source: *Interaction and Normals*, slide "Ray Basics".
 template <Ring S>
@@ -77,7 +85,8 @@ int quadrant_sum(const Polygon<S>& polygon, const Vector2<S>& p) {
 /// Inside if the sum of the changes of quadrant is not 0: the non-zero rule. Two answers.
 ///
 /// Limits: rounded, an edge that passes close to p may be seen on the wrong side. On the boundary
-/// it is inside or outside, depending on the edge. With S = Exact it is right off the boundary.
+/// it is inside or outside, depending on the edge. With S = Exact it is right off the boundary. A
+/// point whose x is NaN can be inside; an infinite one is outside.
 template <Ring S>
 Where where_by_quadrants(const Polygon<S>& polygon, const Vector2<S>& p) {
   return quadrant_sum(polygon, p) != 0 ? Where::inside : Where::outside;
@@ -86,7 +95,8 @@ Where where_by_quadrants(const Polygon<S>& polygon, const Vector2<S>& p) {
 
 // [crossings-closed]
 /// The number of edges that meet the ray from p to larger x if each edge includes both its ends:
-/// the first idea. A vertex at the level of p belongs to two edges, and so is counted twice.
+/// the first idea. A vertex at the level of p belongs to two edges, and so is counted twice. For
+/// p.x = −∞ all edges that reach the level count, and their number can be odd.
 template <Scalar S>
 int crossings_with_ends(const Polygon<S>& polygon, const Vector2<S>& p) {
   int count = 0;
@@ -98,7 +108,8 @@ int crossings_with_ends(const Polygon<S>& polygon, const Vector2<S>& p) {
   return count;
 }
 
-/// Inside if that number is odd. Wrong at the level of many vertices.
+/// Inside if that number is odd. Wrong at the level of many vertices, where even a point with
+/// x = −∞ can be inside.
 template <Scalar S>
 Where where_by_crossings_with_ends(const Polygon<S>& polygon, const Vector2<S>& p) {
   return crossings_with_ends(polygon, p) % 2 != 0 ? Where::inside : Where::outside;
@@ -111,7 +122,7 @@ Where where_by_crossings_with_ends(const Polygon<S>& polygon, const Vector2<S>& 
 /// level, and twice or not at all where it turns back.
 ///
 /// Limits: rounded, the crossing point may be on the wrong side of p. Level edges are never
-/// counted.
+/// counted. For p.x = −∞ all edges that cross the level count, an even number.
 template <Scalar S>
 int crossings(const Polygon<S>& polygon, const Vector2<S>& p) {
   int count = 0;
@@ -127,7 +138,8 @@ int crossings(const Polygon<S>& polygon, const Vector2<S>& p) {
 /// Inside if the number of crossings is odd: the even-odd rule. Two answers.
 ///
 /// Limits: close to the boundary rounding decides. On the boundary, points of a left or lower edge
-/// tend to be inside and those of a right or upper edge outside. NaN gives outside.
+/// tend to be inside and those of a right or upper edge outside. A point that is not finite is
+/// outside.
 ///
 /// Source: the method of many programs, after W. R. Franklin's PNPOLY, 1970.
 template <Scalar S>
@@ -144,13 +156,15 @@ struct ScanlineCrossing {
 };
 
 /// The crossings of a polygon with the horizontal line at y, from left to right. An edge has its
-/// lower end and not its upper end; level edges are left out.
+/// lower end and not its upper end; level edges are left out. No vertices, or a y that is not
+/// finite, give none. An edge whose crossing point is NaN, by overflow, is left out.
 template <Scalar S>
 std::vector<ScanlineCrossing<S>> scanline(const Polygon<S>& polygon, const S& y) {
   std::vector<ScanlineCrossing<S>> found;
   for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
     if ((a.y() > y) == (b.y() > y)) return;
     const S x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    if (!(x <= S(0) || x >= S(0))) return;  // NaN, which cannot be sorted
     found.push_back({x, b.y() > y ? 1 : -1});
   });
   std::sort(found.begin(), found.end(), [](const auto& f, const auto& g) { return f.x < g.x; });
@@ -160,7 +174,9 @@ std::vector<ScanlineCrossing<S>> scanline(const Polygon<S>& polygon, const S& y)
 /// Inside if the steps to the right of p have a sum that is not 0 (non_zero) or is odd (even_odd).
 /// The sum is the winding number: an edge that goes up has p on its left.
 ///
-/// The scanline can be computed once for all points of one row. Two answers.
+/// The scanline can be computed once for all points of one row. Two answers. Without crossings, and
+/// for an x that is NaN or +∞, outside; for −∞ all steps are to the right, and those of a polygon
+/// have the sum 0.
 ///
 /// Limits: as `crossings`.
 ///
@@ -176,7 +192,7 @@ Where where_on_scanline(const std::vector<ScanlineCrossing<S>>& crossings, const
   return inside ? Where::inside : Where::outside;
 }
 
-/// The same for one point.
+/// The same for one point. A point that is not finite is outside.
 template <Scalar S>
 Where where_by_scanline(const Polygon<S>& polygon, const Vector2<S>& p,
                         Rule rule = Rule::non_zero) {
@@ -312,7 +328,8 @@ Where where(const Polygon<S>& polygon, const Vector2<S>& p, Rule rule = Rule::ev
 
 /// The same for a polygon with holes: on if p is on the boundary of the outer polygon or of a hole
 /// in it, inside if it is inside of the outer polygon and of no hole. A point outside of the outer
-/// polygon is outside, whatever the holes are.
+/// polygon is outside, whatever the holes are. A hole without area takes only its own points away:
+/// they are on.
 template <std::floating_point S>
 Where where(const PolygonWithHoles<S>& polygon, const Vector2<S>& p, Rule rule = Rule::even_odd) {
   const Where outer = where(polygon.outer, p, rule);

@@ -34,6 +34,7 @@ struct PolygonWithHoles {
 enum class Where { outside, on, inside };
 
 /// Calls edge(a, b) for each edge from a to b, in order. A single vertex has an edge of length 0.
+/// Without vertices there is no call. Coordinates are passed on, finite or not.
 template <Ring S, class Edge>
 void for_each_edge(const Polygon<S>& polygon, const Edge& edge) {
   if (polygon.empty()) return;
@@ -45,13 +46,15 @@ void for_each_edge(const Polygon<S>& polygon, const Edge& edge) {
 }
 
 /// The polygon with its vertices in the opposite order, so that its orientation is the other.
+/// Coordinates are moved, finite or not; no vertices stay none.
 template <Ring S>
 Polygon<S> reversed(Polygon<S> polygon) {
   std::reverse(polygon.begin(), polygon.end());
   return polygon;
 }
 
-/// The polygon without vertices that are equal to the one before them.
+/// The polygon without vertices that are equal to the one before them. Of vertices that are all
+/// equal, one is left. A vertex with NaN equals none, so it stays.
 template <Ring S>
 Polygon<S> without_repeats(Polygon<S> polygon) {
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
@@ -136,7 +139,7 @@ bool in_box(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
 ///
 /// Limits: rounded, with an error of a few n u Σ|terms|; vertices are taken relative to the first,
 /// so the distance from the origin costs no digits. With S = Exact it is exact. Fewer than three
-/// vertices give 0.
+/// vertices give 0. Overflow, or a coordinate that is not finite, gives ±∞ or NaN.
 template <Ring S>
 S doubled_area(const Polygon<S>& polygon) {
   S sum = S(0);
@@ -148,7 +151,7 @@ S doubled_area(const Polygon<S>& polygon) {
 // [/doubled-area]
 
 /// The sign of the area: +1 counter-clockwise, −1 clockwise, 0 if the area is exactly 0. Right for
-/// every finite input.
+/// every finite input; 0 for fewer than three vertices, and if a coordinate is not finite.
 ///
 /// The bound: each triangle has the bound of `bounded_orientation`, and each of n additions adds
 /// half an ulp of a partial sum, which is at most the sum of all magnitudes. Overflow makes the
@@ -182,7 +185,8 @@ int area_sign(const Polygon<S>& polygon) {
 /// Whether a polygon is convex: its boundary turns only one way, and once around.
 ///
 /// Vertices on a straight edge and repeated vertices are allowed. A polygon without area, a spike
-/// and a pentagram are not convex. Right for every finite input.
+/// and a pentagram are not convex. Right for every finite input. With a coordinate that is not
+/// finite, either answer is possible.
 ///
 /// All vertices must turn the same way. That alone accepts a pentagram, which turns twice. So the
 /// direction of the edges is watched as well: along a boundary that turns once it points to larger

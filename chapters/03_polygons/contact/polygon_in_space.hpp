@@ -25,6 +25,10 @@ using SpacePolygon = std::vector<Vector3<S>>;
 /// It is the sum of the vertices' cross products, so vertices that are not quite in one plane are
 /// averaged. Taken relative to the first vertex, the distance from the origin costs no digits.
 ///
+/// Limits: rounded, so a polygon without area can have a vector that is not quite zero; fewer than
+/// three vertices give zero. Overflow, or a coordinate that is not finite, gives entries that are
+/// ±∞ or NaN.
+///
 /// Source: Sutherland, Sproull and Schumacker, A Characterization of Ten Hidden-Surface Algorithms,
 /// 1974, for Newell's formula.
 template <Ring S>
@@ -39,7 +43,9 @@ Vector3<S> doubled_area_vector(const SpacePolygon<S>& polygon) {
 // [/newell]
 
 /// All vertices with coordinate k dropped (`drop_dimension`), so that a polygon whose area vector
-/// has a positive coordinate k is counter-clockwise.
+/// has a positive coordinate k is counter-clockwise. No vertices stay none; coordinates are copied,
+/// finite or not.
+/// @param k 0, 1 or 2
 template <Ring S>
 Polygon<S> drop_dimension(const SpacePolygon<S>& polygon, int k) {
   Polygon<S> dropped;
@@ -60,12 +66,13 @@ struct SpacePolygonHit {
 /// The lecture's method: the point in the polygon's plane; then, without the coordinate in which
 /// the normal is largest, a point and a polygon of the plane.
 ///
-/// Nothing if the segment does not reach the plane or lies in it, if the point is outside, and for
-/// a polygon without area.
+/// Nothing if the segment does not reach the plane or lies in it (so for one of length 0), if the
+/// point is outside, for an area vector that is 0 as rounded, and if a coordinate is not finite.
 ///
 /// Limits: the point is rounded before the test, so the answer is exact for a point that is off by
 /// a few ulps: close to an edge, inside, on and outside may be exchanged, and a segment can pass
-/// between two polygons that share an edge.
+/// between two polygons that share an edge. An area vector that overflows, or underflows to
+/// 0, gives nothing; distances that overflow can give a point far from the plane.
 ///
 /// Source: *Interaction and Normals*, slides "Ray Basics" and "Faster Way".
 template <std::floating_point S>

@@ -204,7 +204,8 @@ Meeting meet(const Segment2<S>& s, const Segment2<S>& t) {
 }
 
 /// The same with orientations as the scalar rounds them: wrong for segments that nearly touch, that
-/// are nearly parallel, or whose products under- or overflow. With S = Exact it is exact.
+/// are nearly parallel, or whose products under- or overflow. With S = Exact it is exact. NaN and
+/// infinite coordinates are not refused: with them, segments far apart can touch or overlap.
 template <Ring S>
 Meeting meet_rounded(const Segment2<S>& s, const Segment2<S>& t) {
   return segments_detail::meet_by(s, t, [](const auto& a, const auto& b, const auto& c) {
@@ -218,8 +219,9 @@ Meeting meet_rounded(const Segment2<S>& s, const Segment2<S>& t) {
 ///
 /// Limits: a vertical segment has no slope, so it gives nothing, even where it crosses the other.
 /// Steep segments lose digits in c. The tests of the range are on rounded numbers, so a crossing
-/// near an end may be lost. Parallel segments give nothing, also if they overlap. NaN gives
-/// nothing; an infinite end may give a point.
+/// near an end may be lost. Parallel segments give nothing, also if they overlap, and so do
+/// segments that are points. NaN gives nothing; an infinite end may give a point, and a difference
+/// that overflows a wrong one. All this needs a scalar that can divide by 0.
 template <Scalar S>
 std::optional<Vector2<S>> crossing_by_slopes(const Segment2<S>& s, const Segment2<S>& t) {
   const S m = (s.b.y() - s.a.y()) / (s.b.x() - s.a.x());
@@ -239,7 +241,9 @@ std::optional<Vector2<S>> crossing_by_slopes(const Segment2<S>& s, const Segment
 ///
 /// Limits: rounded; a fraction near 0 or 1 may fall on the wrong side, and a denominator that
 /// rounds to 0 gives nothing. Parallel segments give nothing, also if they overlap, and so do
-/// segments that are points. The fraction is off by about 10u |r||s|/|r × s|.
+/// segments that are points or have a coordinate that is not finite. A denominator that overflows
+/// can give `touching` for segments that do not meet. The fraction is off by about
+/// 10u |r||s|/|r × s|.
 template <Scalar S>
 std::optional<SegmentCrossing<S>> crossing_by_parameters(const Segment2<S>& s,
                                                          const Segment2<S>& t) {
@@ -264,10 +268,10 @@ std::optional<SegmentCrossing<S>> crossing_by_parameters(const Segment2<S>& s,
 /// How and where two segments meet, every number rounded once: the nearest of its type to the exact
 /// one. Slow where they cross: exact arithmetic and four divisions.
 ///
-/// The decision is that of `meet`. Fractions of a segment that is a point are 0. Without a meeting
-/// all other fields are 0. The bounds are half an ulp (of the point's larger
-/// coordinate; the smallest positive number if that is less), 0 where the point is an end of a
-/// segment.
+/// The decision is that of `meet`, none if a coordinate is not finite. Fractions of a segment that
+/// is a point are 0. Without a meeting all other fields are 0. The bounds are half an ulp (of the
+/// point's larger coordinate; the smallest positive number if that is less), 0 where the point is
+/// an end of a segment.
 template <std::floating_point S>
 SegmentCrossing<S> crossing_to_last_place(const Segment2<S>& s, const Segment2<S>& t) {
   using namespace segments_detail;
