@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <limits>
 #include <optional>
 
 #include <contact/aabb.hpp>
@@ -22,18 +23,20 @@ namespace contact {
 ///
 /// Limits: the enlarged box is larger than what the ball can touch. Beside an edge it is up to
 /// (√2 − 1) r too far out, at a corner up to (√3 − 1) r: a ball that passes a corner is said to
-/// hit. Its faces are rounded outwards, so it misses nothing. Nothing for a radius that is negative
-/// or not finite.
+/// hit. Its faces are rounded outwards, at most to the largest number, so it misses nothing. A path
+/// of length 0 is a point. Nothing for a negative radius, a box with low > high and numbers that
+/// are not finite.
 template <FloatOrDouble S>
 std::optional<BodyHit<S>> ball_hits_enlarged_box(const Segment<S>& path, const S& radius,
                                                  const Aabb<S>& box) {
   if (!is_finite(radius) || radius < S(0)) return std::nullopt;
+  if (!all_finite(box.low) || !all_finite(box.high) || !boxes_touch(box, box)) return std::nullopt;
+  constexpr S most = std::numeric_limits<S>::max();
   Aabb<S> enlarged;
   for (int k = 0; k < 3; ++k) {
-    enlarged.low(k) = sum_down(box.low(k), -radius);
-    enlarged.high(k) = sum_up(box.high(k), radius);
+    enlarged.low(k) = std::max(sum_down(box.low(k), -radius), -most);
+    enlarged.high(k) = std::min(sum_up(box.high(k), radius), most);
   }
-  if (!all_finite(enlarged.low) || !all_finite(enlarged.high)) return std::nullopt;
   return first_hit(path, enlarged);
 }
 // [/enlarged-box]
@@ -90,6 +93,7 @@ struct RoundedBoxParts {
 
   /// Away from the nearest point of the box; with a radius of 0, 0.
   Vector3<double> normal(double t, int) const {
+    if (radius == 0) return Vector3<double>::Zero();
     const Vector3<double> p = line.at(t, Vector3<double>::Zero());
     return unit_or_zero(p - p.cwiseMax(box.low).cwiseMin(box.high));
   }

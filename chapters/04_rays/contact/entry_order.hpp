@@ -193,6 +193,10 @@ struct Entered {
 
 /// Whether the line enters the first body before the second: exact. Only if the two t are closer
 /// than their errors, they are compared as numbers with a root.
+///
+/// Two t of 0: no. A t that is infinite or NaN leaves the decision to the numbers with a root;
+/// there a body that the line misses counts as entered at t = 0. A line or a body that is not
+/// finite is an error of the program, as for Exact.
 template <FloatOrDouble S>
 bool entered_before(const detail::DoubleLine& line, const Entered<S>& x, const Entered<S>& y) {
   const double difference = x.t - y.t;

@@ -21,14 +21,16 @@ S upward(const Exact& x) {
   return Exact(static_cast<double>(near)) < x ? std::nextafter(near, Limits::infinity()) : near;
 }
 
-/// The largest number of the type that is at most x; −∞ below the lowest one.
+/// The largest number of the type that is at most x; −∞ below the lowest one, and the largest
+/// number above that.
 template <FloatOrDouble S>
 S downward(const Exact& x) {
   return -upward<S>(-x);
 }
 // [/exact-outward]
 
-/// The smallest number of the type that is at least a double; NaN for NaN.
+/// The smallest number of the type that is at least a double: out of range as above; ±∞ for ±∞, NaN
+/// for NaN.
 template <FloatOrDouble S>
 S upward(double x) {
   const S near = static_cast<S>(x);
@@ -36,7 +38,7 @@ S upward(double x) {
                                        : near;
 }
 
-/// The largest number of the type that is at most a double; NaN for NaN.
+/// The largest number of the type that is at most a double: likewise.
 template <FloatOrDouble S>
 S downward(double x) {
   return -upward<S>(-x);

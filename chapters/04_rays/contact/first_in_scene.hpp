@@ -29,8 +29,9 @@ namespace contact {
 
 /// What a ray or a segment meets first of a triangle. It is a surface: `inside` is false, the face
 /// is 0, and the normal is on the side that the line comes from. The decision is that of
-/// intersect_exact: a line in the plane of the triangle gives nothing. A t beyond the largest
-/// number is that number.
+/// intersect_exact: a line in the plane of the triangle gives nothing, nor do a direction of 0, a
+/// triangle without area and numbers that are not finite. A t beyond the largest number is that
+/// number; the normal is 0 where an edge overflows.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Triangle<S>& triangle) {
   const std::optional<TriangleHit<S>> met = intersect_exact<S>(line, triangle);
@@ -40,10 +41,12 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Triangle<S>& triangl
   Vector3<double> normal = detail::unit_or_zero(
       detail::unit_or_zero(triangle.b.template cast<double>() - a)
           .cross(detail::unit_or_zero(triangle.c.template cast<double>() - a)));
-  const Vector3<double> along = in_double.extent == detail::LineExtent::segment
-                                    ? Vector3<double>(in_double.second - in_double.start)
-                                    : in_double.second;
-  if (normal.dot(along) > 0) normal = -normal;
+  Vector3<double> along = in_double.second;
+  if (in_double.extent == detail::LineExtent::segment) {
+    along -= in_double.start;
+    if (!all_finite(along)) along = in_double.second / 2 - in_double.start / 2;
+  }
+  if (normal.dot(detail::unit_or_zero(along)) > 0) normal = -normal;
   const double t = detail::in_range(static_cast<double>(met->t), 0);
   BodyHit<S> hit;
   hit.t = detail::to_scalar<S>(t);
@@ -53,7 +56,8 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Triangle<S>& triangl
   return hit;
 }
 
-/// What a ray or a segment meets first of a body of any kind.
+/// What a ray or a segment meets first of a body of any kind. Degenerate input as for that kind: a
+/// line or a body that is not finite gives nothing.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Primitive<S>& body) {
   return std::visit([&line](const auto& shape) { return first_hit(line, shape); }, body);
@@ -70,7 +74,9 @@ struct IndexedHit {
 /// The body that a ray or a segment meets first: smallest t; of equal t, the lowest index.
 ///
 /// Whether a body is met is exact for each, and so is the order: entries that are closer than their
-/// errors are compared without rounding. A body that the line starts in has t = 0.
+/// errors are compared without rounding. A body that the line starts in has t = 0. Nothing in an
+/// empty scene and for a line that is not finite; what is not a body (not finite, a negative
+/// radius, a box with low > high) is not met.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<IndexedHit<S>> first_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
   const detail::DoubleLine in_double(line);
@@ -87,7 +93,8 @@ std::optional<IndexedHit<S>> first_in_scene(const Line& line, std::span<const Pr
   return first;
 }
 
-/// All bodies that the line meets, in the order in which it enters them; of equal t, by index.
+/// All bodies that the line meets, in the order in which it enters them; of equal t, by index. None
+/// where first_in_scene gives nothing.
 template <FloatOrDouble S, LineOf<S> Line>
 std::vector<IndexedHit<S>> all_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
   const detail::DoubleLine in_double(line);
@@ -119,7 +126,8 @@ struct BulletHit {
 /// are start + (k + 1) displacement.
 ///
 /// Limits: what is thinner than a displacement may be between two samples and is missed. Triangles,
-/// which have no inside, are never met.
+/// which have no inside, are never met. A displacement of 0 is a bullet at rest. Nothing for steps
+/// ≤ 0; a sample that is not finite, also because it overflows, meets nothing.
 template <FloatOrDouble S>
 std::optional<BulletHit<S>> bullet_by_samples(const Vector3<S>& start,
                                               const Vector3<S>& displacement, int steps,
@@ -139,7 +147,9 @@ std::optional<BulletHit<S>> bullet_by_samples(const Vector3<S>& start,
 /// step starts at the stored point where the one before ended.
 ///
 /// What it leaves out: the radius of the bullet (ball_first_hit), its rotation, the motion of the
-/// walls, and everything that bends the path within a step (chapter *Time of impact*).
+/// walls, and everything that bends the path within a step (chapter *Time of impact*). A step with
+/// an end that is not finite, also because it overflows, meets nothing, as does a triangle a bullet
+/// at rest. Nothing for steps ≤ 0.
 template <FloatOrDouble S>
 std::optional<BulletHit<S>> bullet_by_segments(const Vector3<S>& start,
                                                const Vector3<S>& displacement, int steps,

@@ -1,5 +1,7 @@
 /// @file
 /// Where a line enters and leaves a convex body, and what of that a ray or a segment sees first.
+///
+/// ray_of and start_of pass on all numbers, also a direction of 0, infinities and NaN.
 #pragma once
 
 #include <concepts>
@@ -26,7 +28,7 @@ struct Passage {
   S entry = S(0);
   S exit = S(0);  ///< the same, +∞
   /// Outward normal of the surface where the line enters, unit except where a function says
-  /// otherwise; 0 if entry is infinite.
+  /// otherwise; 0 where the line enters nowhere.
   Vector3<S> entry_normal = Vector3<S>::Zero();
   Vector3<S> exit_normal = Vector3<S>::Zero();  ///< where it leaves
   int entry_face = -1;  ///< number of the face, as the function says; −1 for a curved surface
@@ -50,19 +52,20 @@ template <Ring S>
 const Ray<S>& ray_of(const Ray<S>& ray) {
   return ray;
 }
-/// A segment as a ray: t = 1 is its end. The direction is rounded.
+/// A segment as a ray: t = 1 is its end. The direction is rounded, and infinite if it overflows.
 template <Ring S>
 Ray<S> ray_of(const Segment<S>& segment) {
   return {segment.start, Vector3<S>(segment.end - segment.start)};
 }
 
-/// A ray of floats or doubles in exact numbers.
+/// A ray of floats or doubles in exact numbers. Numbers that are not finite are an error of the
+/// program, as for Exact.
 template <std::floating_point S>
 Ray<Exact> exact_ray_of(const Ray<S>& ray) {
   return {exact_vector(ray.origin), exact_vector(ray.direction)};
 }
 /// A segment as a ray in exact numbers: the direction is end − start without rounding, so t = 1 is
-/// exactly the stored end.
+/// exactly the stored end. It must be finite, and may be longer than the largest number.
 template <std::floating_point S>
 Ray<Exact> exact_ray_of(const Segment<S>& segment) {
   const Vector3<Exact> start = exact_vector(segment.start);
@@ -87,12 +90,12 @@ inline constexpr bool has_end = false;
 template <Ring S>
 inline constexpr bool has_end<Segment<S>> = true;
 
-/// Whether every coordinate is finite.
+/// Whether every coordinate is finite: no for an infinity or NaN, yes for a direction of 0.
 template <Ring S>
 bool is_finite(const Ray<S>& ray) {
   return all_finite(ray.origin) && all_finite(ray.direction);
 }
-/// The same for a segment.
+/// The same for a segment: yes also for one of length 0 or longer than the largest number.
 template <Ring S>
 bool is_finite(const Segment<S>& segment) {
   return all_finite(segment.start) && all_finite(segment.end);
@@ -155,7 +158,8 @@ std::optional<BodyHit<S>> first_of_passage(const Ray<S>& ray, const Passage<S>& 
 /// What a ray meets first of a body that its line passes: the entry, or the start if that is
 /// inside.
 ///
-/// Nothing if the body is behind the start (exit < 0), and nothing for a NaN. A line that only
+/// Nothing if the body is behind the start (exit < 0), and nothing for a NaN as entry or exit. The
+/// numbers of the ray only make the point: that of an entry of ∞ is not finite. A line that only
 /// touches at the start (entry = 0) hits there and is not inside; one that leaves there (entry < 0
 /// = exit) is. The comparisons are exact for the numbers of the passage; if these are rounded, a
 /// body that ends next to the start may be found or missed.
@@ -166,7 +170,8 @@ std::optional<BodyHit<S>> first_hit(const Ray<S>& ray, const Passage<S>& passage
   return detail::first_of_passage<S>(ray, passage, nullptr);
 }
 
-/// The same for a segment: also nothing if entry > 1. The passage is that of ray_of(segment).
+/// The same for a segment: also nothing if entry > 1. The passage is that of ray_of(segment), and
+/// if its direction overflows, the point of an entry is not finite.
 template <Ring S>
 std::optional<BodyHit<S>> first_hit(const Segment<S>& segment, const Passage<S>& passage) {
   const S last(1);

@@ -27,7 +27,8 @@
 
 namespace contact {
 
-/// The number of a box's face: 2 k for the lower face of axis k, 2 k + 1 for the upper one.
+/// The number of a box's face: 2 k for the lower face of axis k, 2 k + 1 for the upper one. The
+/// axis is not checked.
 constexpr int box_face(int axis, bool upper) { return 2 * axis + (upper ? 1 : 0); }
 
 // [with-division]
@@ -38,6 +39,11 @@ constexpr int box_face(int axis, bool upper) { return 2 * axis + (upper ? 1 : 0)
 /// on the face: 0/0 is NaN, every comparison with it is false, and the slab is ignored or the box
 /// lost, by the order of the comparisons. Rounded: a line that passes an edge closely may be found
 /// or missed. Equal entries: the lowest axis.
+///
+/// A direction of 0 has entry −∞ and exit ∞ in the box, and outside either nothing or entry and
+/// exit both −∞ or both ∞. A slab with a NaN of the ray is ignored: a ray of NaN meets every box.
+/// An infinite component of the direction is at both planes of its slab at t = 0. Overflow gives an
+/// infinite t.
 template <std::floating_point S>
 std::optional<Passage<S>> passage_by_slabs_with_division(const Ray<S>& ray, const Aabb<S>& box) {
   Passage<S> found;
@@ -65,7 +71,8 @@ std::optional<Passage<S>> passage_by_slabs_with_division(const Ray<S>& ray, cons
 // [/with-division]
 
 /// The latest entry into the slabs of a box and the earliest exit, as the test is copied
-/// everywhere: three reciprocals, then products, minima and maxima without a branch.
+/// everywhere: three reciprocals, then products, minima and maxima without a branch. Directions of
+/// 0, infinities and NaN in the ray as for passage_by_slabs_with_division.
 // [branchless]
 template <std::floating_point S>
 std::pair<S, S> branchless_times(const Ray<S>& ray, const Aabb<S>& box) {
@@ -99,7 +106,8 @@ std::optional<Passage<S>> passage_between(const S& entry, const S& exit) {
 /// The line through a box by branchless_times(). No faces and normals.
 ///
 /// Limits: 0 · ∞ is NaN for a line in the plane of a face, and std::min and std::max then return
-/// their first argument. Rounded, as above; 1/d is infinite for |d| < 2^-1024.
+/// their first argument. Rounded, as above; 1/d is infinite for |d| < 2^-1024. A ray of NaN meets
+/// every box.
 template <std::floating_point S>
 std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const Aabb<S>& box) {
   const auto [entry, exit] = branchless_times(ray, box);
@@ -111,7 +119,8 @@ std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const A
 /// near miss may be reported.
 ///
 /// Limits: only a positive exit is enlarged, so the guarantee is for rays (t ≥ 0), without
-/// underflow and overflow. 0 · ∞ as above, also for a component so small that 1/d is infinite.
+/// underflow and overflow. 0 · ∞ and NaN as above, also for a component so small that 1/d is
+/// infinite.
 ///
 /// Source: Ize, *Robust BVH Ray Traversal*, Journal of Computer Graphics Techniques 2 (2013).
 template <std::floating_point S>
@@ -121,7 +130,7 @@ std::optional<Passage<S>> passage_by_padded_slabs(const Ray<S>& ray, const Aabb<
 }
 // [/padded]
 
-/// A box of floats or doubles, unchanged, as doubles.
+/// A box of floats or doubles, unchanged, as doubles: also infinities and NaN.
 template <FloatOrDouble S>
 Aabb<double> in_double(const Aabb<S>& box) {
   return {box.low.template cast<double>(), box.high.template cast<double>()};
@@ -255,15 +264,17 @@ struct BoxTimes {
   bool starts_inside() const { return !bounded || entry.sign() < 0; }
 };
 
-/// Computes them for a finite line.
+/// Computes them. Without a meeting for numbers that are not finite.
 template <class Line>
 [[gnu::noinline]] BoxTimes box_times(const Line& line, const Aabb<double>& box) {
+  const BoxTimes none{false, false, {}, {}};
+  if (!is_finite(line) || !all_finite(box.low) || !all_finite(box.high)) return none;
   BoxTimes times;
   const Vector3<double>& start = start_of(line);
   for (int k = 0; k < 3; ++k) {
     const double to = to_of(line, k), from = from_of(line, k);
     if (to == from) {
-      if (!(box.low(k) <= start(k) && start(k) <= box.high(k))) return {false, false, {}, {}};
+      if (!(box.low(k) <= start(k) && start(k) <= box.high(k))) return none;
       continue;
     }
     const bool forwards = to > from;
@@ -288,7 +299,7 @@ template <std::floating_point S, class Line>
   const Aabb<double> body = contact::in_double(box);
   const Glance seen = box_at_a_glance<has_end<Line>, true>(ray_of(stored), body);
   if (seen.certain) return seen.hit;
-  return is_finite(stored) && box_times(stored, body).hits(has_end<Line>);
+  return box_times(stored, body).hits(has_end<Line>);
 }
 
 /// A point of a face, with its coordinate as stored and the others not outside the box.
@@ -325,10 +336,10 @@ bool hits_box(const Line& line, const Aabb<S>& box) {
 /// The decision is right for every finite line. Faces as box_face; of faces that are entered at the
 /// same t that of the lowest axis, decided exactly; −1 and normal 0 where t is infinite (a
 /// direction of 0). Each t has a relative error of at most 3 u (of double, and then rounded to S),
-/// without underflow.
+/// without underflow; beyond the largest number it is infinite. Nothing for a box with low > high
+/// and numbers that are not finite.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Aabb<S>& box) {
-  if (!is_finite(line)) return std::nullopt;
   const detail::BoxTimes times = detail::box_times(in_double(line), in_double(box));
   if (!times.meets) return std::nullopt;
   Passage<double> found;
@@ -348,17 +359,17 @@ std::optional<Passage<S>> passage(const Line& line, const Aabb<S>& box) {
 /// What a ray or a segment meets first of a solid box.
 ///
 /// Decision, face and `inside` are exact: inside if the start is in the box and not on a face that
-/// the line enters. On the face from which it enters t = 0.
+/// the line enters. On the face from which it enters t = 0. A direction of 0 is a point. Nothing
+/// for a box with low > high and numbers that are not finite.
 ///
 /// The point's coordinate on the face is the stored one; the others are off by at most 6 u of their
-/// two terms, and never outside the box. t as in passage.
+/// two terms, and never outside the box, even of an infinite t. t as in passage.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Aabb<S>& box) {
   const auto stored = in_double(line);
   const Aabb<double> body = in_double(box);
   const detail::Glance seen = detail::box_at_a_glance<has_end<Line>, false>(ray_of(stored), body);
   if (seen.certain && !seen.hit) return std::nullopt;
-  if (!is_finite(line)) return std::nullopt;
   const detail::BoxTimes times = detail::box_times(stored, body);
   if (!times.hits(has_end<Line>)) return std::nullopt;
   BodyHit<S> hit;
@@ -379,8 +390,9 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Aabb<S>& box) {
 /// The line through an oriented box by slabs in the box's frame: rotated there, then as
 /// passage_by_slabs_with_division; the normals are rotated back.
 ///
-/// Limits: those of passage_by_slabs_with_division, and the rotation rounds, so that a line in a
-/// face is no longer in it.
+/// Limits: those of passage_by_slabs_with_division, also for a direction of 0, and the rotation
+/// rounds, so that a line in a face is no longer in it. A NaN in the ray, whose rotation has more
+/// of them, meets every box.
 template <std::floating_point S>
 std::optional<Passage<S>> passage_by_frame(const Ray<S>& ray, const OrientedBox<S>& box) {
   const Matrix3<S> to_box = box.axes.transpose();
@@ -397,7 +409,8 @@ std::optional<Passage<S>> passage_by_frame(const Ray<S>& ray, const OrientedBox<
 
 // [oriented-slabs]
 /// The stored body of an oriented box as slabs: with n the cross product of the other two axes, |n
-/// · (x − centre)| ≤ h |n · axis|.
+/// · (x − centre)| ≤ h |n · axis|. Axes in one plane make slabs without thickness. For T = Exact
+/// all numbers must be finite.
 template <class T, class Line>
 std::array<Slab<T>, 3> slabs_of(const Line& line, const OrientedBox<double>& box) {
   using namespace detail;
@@ -461,7 +474,8 @@ bool hits_box(const Line& line, const OrientedBox<S>& box) {
 /// Where the unbounded line through a ray or a segment enters and leaves an oriented box.
 ///
 /// The decision is that of hits_box. Faces as box_face, of the box's axes; ties as for an Aabb.
-/// Normals are the stored axes. Each t is within 2^-40 of the larger magnitude of both.
+/// Normals are the stored axes. Each t is within 2^-40 of the larger magnitude of both; beyond the
+/// largest number it is infinite. A direction of 0 in the box has entry −∞, exit ∞ and normals 0.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const OrientedBox<S>& box) {
   if (!is_finite(line) || !detail::box_is_finite(box)) return std::nullopt;
@@ -471,7 +485,8 @@ std::optional<Passage<S>> passage(const Line& line, const OrientedBox<S>& box) {
 }
 
 /// What a ray or a segment meets first of a solid oriented box. Decision, face and `inside` are
-/// exact; t as in passage, and the point off by that times the direction and by 6 u of its terms.
+/// exact; t as in passage, and the point off by that times the direction and by 6 u of its terms,
+/// so infinite with t. Nothing where hits_box says no.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const OrientedBox<S>& box) {
   if (!is_finite(line) || !detail::box_is_finite(box)) return std::nullopt;

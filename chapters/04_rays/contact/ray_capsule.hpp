@@ -53,6 +53,7 @@ struct CapsuleParts {
   /// Away from the nearest point of the core.
   Vector3<double> normal(double t, int) const {
     const Vector3<double> p = line.at(t, core.start), axis = core.end - core.start;
+    if (core.radius == 0 || !all_finite(axis)) return Vector3<double>::Zero();
     const Vector3<double> unit = unit_or_zero(axis);
     const double along = unit.dot(p);
     if (!(along > 0)) return unit_or_zero(p);
@@ -77,7 +78,9 @@ auto ask_capsule(const Line& line, const Capsule<S>& capsule, const Answer& answ
 ///
 /// Limits: those of passage_by_textbook for a cylinder. It gives the first t ≥ 0 of a surface, so a
 /// start inside finds the way out, and a ray along the axis, whose a rounds to 0, asks only one
-/// ball: the one next to its start.
+/// ball: the one next to its start. A core of length 0 makes a ball, and a negative radius counts
+/// as its magnitude. Nothing for a direction of 0 and for NaN; overflow and underflow may lose the
+/// hit.
 ///
 /// Source: Ericson, *Real-Time Collision Detection* (2005), section 5.3.7.
 template <std::floating_point S>
@@ -121,6 +124,7 @@ bool hits_capsule(const Line& line, const Capsule<S>& capsule) {
 /// Where the unbounded line through a ray or a segment enters and leaves a capsule: the book's
 /// choice. Decision and t as for a cylinder; no face has a number. The normal points away from the
 /// nearest point of the core; 0 for a radius of 0 and where a difference of coordinates overflows.
+/// A direction of 0 in the capsule has entry −∞, exit ∞. Nothing for what hits_capsule denies.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Capsule<S>& capsule) {
   return detail::ask_capsule(line, capsule, [](const detail::CapsuleParts& parts) {
@@ -134,7 +138,8 @@ std::optional<Passage<S>> passage(const Line& line, const Capsule<S>& capsule) {
   });
 }
 
-/// What a ray or a segment meets first of a solid capsule. Decision and `inside` are exact.
+/// What a ray or a segment meets first of a solid capsule. Decision and `inside` are exact; nothing
+/// where hits_capsule says no. A t beyond the largest number is that number.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Capsule<S>& capsule) {
   return detail::ask_capsule(

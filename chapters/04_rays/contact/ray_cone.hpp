@@ -92,7 +92,8 @@ auto ask_cone(const Line& line, const Cone<S>& cone, const Answer& answer) {
 ///
 /// Limits: rounded, with the cancellation of every discriminant. A line parallel to a generator has
 /// a = 0 and one root, which rounding seldom sees. It is the caller who must ask where the points
-/// are; many do not.
+/// are; many do not. Nothing for a direction of 0, an axis of length 0, and for NaN; a negative
+/// radius counts as its magnitude.
 /// @return the smaller root and the larger one; nothing if the line misses both nappes
 ///
 /// Source: the implicit equation in *Fundamentals of Computer Animation*, "Types of geometry".
@@ -131,7 +132,8 @@ bool hits_cone(const Line& line, const Cone<S>& cone) {
 /// Where the unbounded line through a ray or a segment enters and leaves a solid cone: the book's
 /// choice. Decision and t as for a cylinder. Faces as ConeFace; on the rim the base, but the wall
 /// for a line in its plane. The normal at the apex is the direction from the base to it; 0 where a
-/// difference of coordinates overflows.
+/// difference of coordinates overflows; any unit vector for a radius of 0. A direction of 0 in the
+/// cone has entry −∞, exit ∞. Nothing for what hits_cone denies.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Cone<S>& cone) {
   return detail::ask_cone(line, cone, [](const detail::ConeParts& parts) {
@@ -146,7 +148,8 @@ std::optional<Passage<S>> passage(const Line& line, const Cone<S>& cone) {
   });
 }
 
-/// What a ray or a segment meets first of a solid cone. Decision and `inside` are exact.
+/// What a ray or a segment meets first of a solid cone. Decision and `inside` are exact; nothing
+/// where hits_cone says no. A t beyond the largest number is that number.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Cone<S>& cone) {
   return detail::ask_cone(line, cone,

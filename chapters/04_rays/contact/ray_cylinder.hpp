@@ -57,8 +57,10 @@ struct DoubleCore {
   Triple<T> axis() const {
     return minus(triple<T>(end), triple<T>(start));
   }
-  /// From the core's line to p, which is relative to its start; perpendicular to the core.
+  /// From the core's line to p, which is relative to its start; perpendicular to the core. 0 if the
+  /// core is longer than the largest number.
   Vector3<double> off_axis(const Vector3<double>& p) const {
+    if (!all_finite(end - start)) return Vector3<double>::Zero();
     const Vector3<double> axis = unit_or_zero(end - start);
     return p - axis * axis.dot(p);
   }
@@ -103,6 +105,7 @@ struct CylinderParts {
     const Vector3<double> axis = unit_or_zero(core.end - core.start);
     if (face == cylinder_start) return -axis;
     if (face == cylinder_end) return axis;
+    if (core.radius == 0) return Vector3<double>::Zero();
     return unit_or_zero(core.off_axis(line.at(t, core.start)));
   }
 };
@@ -124,7 +127,9 @@ auto ask_cylinder(const Line& line, const Cylinder<S>& cylinder, bool ends, cons
 /// Limits: each coefficient subtracts two nearly equal numbers where the line is nearly parallel to
 /// the axis or far away, and the discriminant does again; then hits are lost and misses hit. A line
 /// that is exactly parallel needs a coefficient that is exactly 0, which rounding does not give for
-/// most axes. The denominators of the caps may be 0, and 0/0 is NaN.
+/// most axes. The denominators of the caps may be 0, and 0/0 is NaN. So a core of length 0, and a
+/// direction of 0 in the cylinder, give entry −∞, exit ∞ and normals of NaN. A negative radius
+/// counts as its magnitude; a NaN gives nothing or is overlooked.
 ///
 /// Source: Ericson, *Real-Time Collision Detection* (2005), section 5.3.7.
 template <std::floating_point S>
@@ -205,7 +210,8 @@ std::optional<Passage<S>> passage(const Line& line, const Cylinder<S>& cylinder)
 }
 
 /// The same of a cylinder without ends, the line of whose axis is that of the core. A line that is
-/// parallel to the axis and inside or in the wall has entry −∞, exit ∞.
+/// parallel to the axis and inside or in the wall has entry −∞, exit ∞, as has a direction of 0
+/// there. Nothing for a core of length 0, a negative radius, and numbers that are not finite.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage_of_infinite_cylinder(const Line& line,
                                                        const Cylinder<S>& cylinder) {
@@ -217,7 +223,7 @@ std::optional<Passage<S>> passage_of_infinite_cylinder(const Line& line,
 }
 
 /// What a ray or a segment meets first of a solid cylinder. Decision and `inside` are exact; t,
-/// face and normal are those of passage().
+/// face and normal are those of passage(). Nothing where hits_cylinder says no.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Cylinder<S>& cylinder) {
   return detail::ask_cylinder(line, cylinder, true,
@@ -268,7 +274,7 @@ inline TubeMeeting tube_meeting(const CylinderParts& parts) {
 /// is the sign of a + b √d, by squaring. The rims belong to the wall. A line in the wall hits where
 /// it enters the wall, or at its start. The body is a surface, so `inside` is false. t as in
 /// passage(); the normal points away from the axis on both sides. A direction of 0 hits on the wall
-/// only.
+/// only. Nothing for a core of length 0, a negative radius, and numbers that are not finite.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit_open(const Line& line, const Cylinder<S>& cylinder) {
   return detail::ask_cylinder(

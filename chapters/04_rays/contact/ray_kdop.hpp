@@ -111,7 +111,8 @@ std::pair<Exact, Exact> exact_extremes(const Vector3<S>& normal,
 }  // namespace detail
 
 /// The smallest k-DOP of representable numbers that contains all points: low and high are computed
-/// exactly and rounded outward. Beyond the largest number, low stays that number and high is ∞.
+/// exactly and rounded outward. Beyond the largest number, low stays that number and high is ∞:
+/// then hits_kdop says no.
 /// @param normals k/2, finite, none 0
 /// @param points n ≥ 1, m, finite
 /// @throws std::invalid_argument if there is no point or normal, or a number is not finite, or a
@@ -129,7 +130,8 @@ Kdop<S> kdop_of_points(const std::vector<Vector3<S>>& normals, std::span<const V
   return dop;
 }
 
-/// A k-DOP of doubles as slabs of a line, in bounded or exact numbers.
+/// A k-DOP of doubles as slabs of a line, in bounded or exact numbers. A normal of 0 makes a slab
+/// of speed 0; no normal, no slab. For T = Exact all numbers must be finite.
 template <class T, class Line>
 std::vector<Slab<T>> slabs_of(const Line& line, const Kdop<double>& dop) {
   using namespace detail;
@@ -197,7 +199,9 @@ bool hits_kdop(const Line& line, const Kdop<S>& dop) {
 ///
 /// The decision is right for every finite input. Face 2 j is the lower one of normal j, 2 j + 1 the
 /// upper one; of faces that are entered at the same t the lowest j, decided exactly. Unit normals.
-/// Each t is within 2^-40 of the larger magnitude of both.
+/// Each t is within 2^-40 of the larger magnitude of both; beyond the largest number it is
+/// infinite. A direction of 0 in the k-DOP has entry −∞, exit ∞ and normals 0. Nothing for low >
+/// high and numbers that are not finite.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Kdop<S>& dop) {
   if (!is_finite(line) || !detail::dop_is_finite(dop)) return std::nullopt;
@@ -207,7 +211,8 @@ std::optional<Passage<S>> passage(const Line& line, const Kdop<S>& dop) {
 }
 
 /// What a ray or a segment meets first of a solid k-DOP. Decision, face and `inside` are exact; t
-/// as in passage, and the point off by that times the direction and by 6 u of its terms.
+/// as in passage, and the point off by that times the direction and by 6 u of its terms, so
+/// infinite with t. Nothing where hits_kdop says no; without normals, every start is inside.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Kdop<S>& dop) {
   if (!is_finite(line) || !detail::dop_is_finite(dop)) return std::nullopt;

@@ -38,7 +38,9 @@ Passage<S> passage_of_roots(const Vector3<S>& m, const Vector3<S>& d, const S& l
 /// Limits: with a direction of another length it is wrong. From a distance of m radii the
 /// difference of squares has lost 2 log₂ m bits: at m = 10⁸ in double, 4000 in float, none is left,
 /// and the line is said to miss, or to touch anywhere. Squares of numbers beyond 1e154 overflow.
-/// Nothing for a negative radicand and for NaN; a sphere of radius 0 by luck only.
+/// Nothing for a negative radicand and for NaN; a sphere of radius 0 by luck only. A direction of 0
+/// in the sphere gives t = ±√(r² − M·M); infinities, nothing or t that are infinite or NaN. A
+/// negative radius counts as its magnitude.
 ///
 /// Source: *Fundamentals of Computer Animation*, slides "Ray-Sphere".
 template <std::floating_point S>
@@ -57,7 +59,8 @@ std::optional<Passage<S>> passage_by_lecture(const Ray<S>& ray, const Sphere<S>&
 /// of any length.
 ///
 /// Limits: the radicand cancels as in passage_by_lecture. From inside or near the surface −B + √
-/// or −B − √ cancels too. A direction of 0 divides 0 by 0 and gives nothing or NaN.
+/// or −B − √ cancels too. A direction of 0 divides 0 by 0 and gives nothing or NaN. Infinities,
+/// overflow, NaN and a negative radius as above.
 ///
 /// Source: *Interaction and Normals*, slides "Line-Sphere".
 template <std::floating_point S>
@@ -81,7 +84,8 @@ std::optional<Passage<S>> passage_by_textbook(const Ray<S>& ray, const Sphere<S>
 /// distance of m radii, half as many; the roots do not cancel.
 ///
 /// Limits: rounded, so a line that nearly touches may be found or missed. From 10¹⁶ radii (double)
-/// f has no digit left. Nothing for a direction of 0 and for NaN.
+/// f has no digit left. Nothing for a direction of 0 and for NaN; infinities, overflow and a
+/// negative radius as above.
 ///
 /// Source: Haines, Günther and Akenine-Möller, *Precision Improvements for Ray/Sphere
 /// Intersection*, Ray Tracing Gems (2019), chapter 7.
@@ -207,7 +211,7 @@ BodyHit<S> hit_of_meeting(const Line& line, const Sphere<S>& sphere) {
 /// surface while the line leaves. From the surface inwards, or along it: t = 0 and not inside.
 ///
 /// Limits: t and the normal as in passage; t is from 0 and, for a segment, to 1. The point is off
-/// by at most 2^-20 radii, and by a few roundings of its coordinates.
+/// by at most 2^-20 radii, and by a few roundings of its coordinates, also if t is infinite.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Sphere<S>& sphere) {
   if (!detail::decide_sphere(line, sphere)) return std::nullopt;

@@ -18,8 +18,10 @@ namespace contact {
 ///
 /// Each operation adds its own rounding, at most u |result|, to what the errors of its operands
 /// become: |x| e(y) + |y| e(x) + e(x) e(y) for a product, and so on. The factor 1 + 8u covers the
-/// roundings of the bound itself, and 2^-1000 all underflow. A 0 that is known exactly stays exact.
-/// If anything overflows, the bound is infinite or NaN, and no sign is certain.
+/// roundings of the bound itself, and 2^-1000 all underflow. A 0 that is known exactly stays exact:
+/// times anything, also ∞ or NaN, it is 0. If anything overflows, the bound is infinite or NaN, and
+/// no sign is certain; nor is that of a NaN. Numbers are not checked: an ∞ that is given as exact
+/// has its sign.
 struct RunningError {
   double value = 0;  ///< as computed
   double bound = 0;  ///< of its error; infinite or NaN after an overflow
@@ -27,7 +29,7 @@ struct RunningError {
   RunningError() = default;
   /// A number without error.
   RunningError(double exact) : value(exact) {}
-  /// A computed number and a bound on its error.
+  /// A computed number and a bound on its error, not negative.
   RunningError(double computed, double error) : value(computed), bound(error) {}
 
   /// Whether the exact number is known to be 0.
@@ -67,7 +69,8 @@ struct RunningError {
                          u * std::abs(quotient)) +
                           floor};
   }
-  /// The root of a number that is known not to be negative: |√X − √x| = |X − x|/(√X + √x).
+  /// The root of a number that is known not to be negative: |√X − √x| = |X − x|/(√X + √x). A value
+  /// that is not positive has the root 0, with a bound for what it may be.
   friend RunningError sqrt(const RunningError& x) {
     if (x.is_zero()) return {};
     if (!(x.value > 0)) return {0, up(std::sqrt(std::abs(x.value) + x.bound)) + floor};

@@ -45,7 +45,8 @@ struct SlabTimes {
   bool entry_in_time = true;  ///< whether the entry's t is at most 1
 };
 
-/// Computes them, from signs alone.
+/// Computes them, from signs alone. Without slabs every line meets, unbounded; so do slabs of speed
+/// 0 that contain the start. A NaN in bounded numbers is not sure; exact ones have none.
 /// @param slabs a range of Slab<T>; one with low > high contains nothing
 template <class T, class Slabs>
 SlabTimes<T> slab_times(const Slabs& slabs) {
@@ -191,9 +192,10 @@ std::optional<BodyHit<S>> first_of_slabs(const Line& line, const std::optional<S
   return hit;
 }
 
-/// The unit normal of face 2 k (lower) or 2 k + 1 (upper) of an axis-aligned box.
+/// The unit normal of face 2 k (lower) or 2 k + 1 (upper) of an axis-aligned box; 0 for none (−1).
 template <std::floating_point S>
 Vector3<S> axis_normal(int face) {
+  if (face < 0) return Vector3<S>::Zero();
   return Vector3<S>(Vector3<S>::Unit(face / 2) * S(face % 2 == 1 ? 1 : -1));
 }
 

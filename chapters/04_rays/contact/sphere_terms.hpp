@@ -30,13 +30,13 @@ struct SphereTerms {
 };
 // [/terms]
 
-/// A sphere of floats or doubles, unchanged, as doubles.
+/// A sphere of floats or doubles, unchanged, as doubles: also infinities and NaN.
 template <FloatOrDouble S>
 Sphere<double> in_double(const Sphere<S>& sphere) {
   return {sphere.centre.template cast<double>(), static_cast<double>(sphere.radius)};
 }
 
-/// Whether every number is finite and the radius is not negative.
+/// Whether every number is finite and the radius is not negative. 0 is a radius.
 template <std::floating_point S>
 bool is_ball(const Sphere<S>& sphere) {
   return all_finite(sphere.centre) && is_finite(sphere.radius) && sphere.radius >= S(0);
