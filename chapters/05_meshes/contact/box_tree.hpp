@@ -39,7 +39,8 @@ struct BoxHierarchy {
 ///
 /// Each node's box is then the smallest one of the items below, as after building. So queries find
 /// the same items; but the longer the items have moved, the more boxes overlap, and the more nodes
-/// a query visits: hierarchy_cost() estimates it.
+/// a query visits: hierarchy_cost() estimates it. An empty tree stays empty. If a box is not
+/// finite, the boxes above it mean nothing.
 /// @param boxes of all items, by their numbers
 template <FloatOrDouble S>
 void refit_box_hierarchy(BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxes) {
@@ -139,8 +140,9 @@ class BoxTreeBuilder {
     std::array<int, 4> bins(const BuildBox& box) const {
       const FourFloats centre = box.twice_centre();
       std::array<int, 4> bin;
+      // The maximum is 0 for NaN, so that also a box that is not finite has a bin.
       for (std::size_t k = 0; k < 4; ++k)
-        bin[k] = static_cast<int>((centre[k] - from[k]) * scale[k]);
+        bin[k] = static_cast<int>(std::max(0.0f, (centre[k] - from[k]) * scale[k]));
       return bin;
     }
   };
@@ -160,7 +162,7 @@ class BoxTreeBuilder {
     const Vector3<double> high = all.high.template cast<double>() / 2;
     const Vector3<double> centre = low + high;
     const double size = (high - low).maxCoeff();
-    const int exponent = size > 0x1p-1000 ? std::ilogb(size) + 1 : -1000;
+    const int exponent = size > 0x1p-1000 && std::isfinite(size) ? std::ilogb(size) + 1 : -1000;
     const double scale = std::ldexp(1.0, -exponent);
     tree_.order.assign(items.begin(), items.end());
     boxes_.reserve(items.size());
@@ -279,6 +281,8 @@ class BoxTreeBuilder {
 /// @param boxes made by the functions of aabb.hpp, finite
 /// @param items which of the boxes: their numbers, at most 2^30
 /// @param max_leaf the most items of a leaf, at least 1
+/// @return without nodes if there are no items. If a box is not finite, each item is still in one
+/// leaf, but the boxes above it mean nothing
 ///
 /// Source: Wald, *On Fast Construction of SAH-based Bounding Volume Hierarchies*, 2007.
 template <FloatOrDouble S>
@@ -300,8 +304,8 @@ BoxHierarchy<S> build_box_hierarchy(std::span<const Aabb<S>> boxes, std::span<co
 /// line or in a plane depends on their order too: t is the mean of all h of the items, plus the sum
 /// of the H divided by the number of items.
 /// @param boxes of all items, by their numbers, finite, in those of the nodes
-/// @return from 0 to the number of nodes; 0 if the root's box is a point, or smaller than numbers
-/// can be halved
+/// @return from 0 to the number of nodes; 0 if the tree is empty, or if the root's box is a point
+/// or smaller than numbers can be halved
 template <FloatOrDouble S>
 double hierarchy_cost(const BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxes) {
   if (tree.nodes.empty()) return 0;
@@ -317,7 +321,7 @@ double hierarchy_cost(const BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxe
     const Vector3<double> half = halves(boxes[static_cast<std::size_t>(item)]) / unit;
     sum += (half[0] + half[1] + half[2]) / 3;
   }
-  sum += (root[0] + root[1] + root[2]) / unit;
+  for (int k = 0; k < 3; ++k) sum += root[k] / unit;  // the sum of the three could overflow
   const double t = sum / static_cast<double>(tree.order.size());
   const auto extended = [&](const Vector3<double>& half) {
     return (half[0] / unit + t) * (half[1] / unit + t) * (half[2] / unit + t);
@@ -332,7 +336,8 @@ double hierarchy_cost(const BoxHierarchy<S>& tree, std::span<const Aabb<S>> boxe
 
 // [visit-tree]
 /// Calls visit(position) for each position of the order in each leaf whose box, and all boxes above
-/// it, `enters` accepts.
+/// it, `enters` accepts. Nothing is called for an empty tree. What a box with NaN means is left to
+/// `enters`.
 /// @param enters called with a box, an `Aabb<S>`; returns whether what is below it can matter
 /// @param visit (int position) → bool: whether to stop
 /// @param boxes if not null, the number of boxes asked is added to it

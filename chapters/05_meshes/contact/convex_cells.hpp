@@ -1,6 +1,9 @@
 /// @file
 /// Convex cells that planes bound, in exact arithmetic: each vertex is a given point or the
 /// intersection of three given planes, so that its numbers do not grow from cut to cut.
+///
+/// Exact numbers are finite and do not overflow. To make one of a coordinate that is not finite is
+/// an error of the program.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +35,8 @@ struct ExactPlane {
   Exact offset;  ///< m, times the length of the normal
 };
 
-/// On which side of a plane a point is: +1 in front, −1 behind, 0 exactly on it.
+/// On which side of a plane a point is: +1 in front, −1 behind, 0 exactly on it. If the normal and
+/// the offset are 0, as of the plane through collinear points, it is 0 for every point.
 inline int side_of_plane(const ExactPlane& plane, const HomogeneousPoint& point) {
   return (Exact(plane.normal.dot(point.scaled)) - plane.offset * point.weight).sign();
 }
@@ -75,7 +79,8 @@ inline HomogeneousPoint intersection_of(const ExactPlane& p, const ExactPlane& q
 }
 // [/homogeneous]
 
-/// The floating-point point nearest to it: each coordinate is rounded once.
+/// The floating-point point nearest to it: each coordinate is rounded once. One beyond the largest
+/// double becomes infinite, one too close to 0 becomes 0; a weight of 0 is an error of the program.
 inline Vector3<double> nearest(const HomogeneousPoint& point) {
   return {quotient<double>(point.scaled.x(), point.weight),
           quotient<double>(point.scaled.y(), point.weight),

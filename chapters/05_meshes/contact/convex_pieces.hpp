@@ -69,10 +69,12 @@ struct ConvexPiece {
   std::vector<HomogeneousPoint> vertices;  ///< m
   std::vector<std::vector<int>> facets;    ///< vertices of each, counter-clockwise from outside
 
-  /// m³, exactly: the sum of the signed tetrahedra over the origin and the facets.
+  /// m³, exactly: the sum of the signed tetrahedra over the origin and the facets. 0 without
+  /// facets; a facet of fewer than three vertices adds nothing.
   ExactFraction volume() const {
     ExactFraction sixfold;
     for (const std::vector<int>& facet : facets) {
+      if (facet.empty()) continue;
       const HomogeneousPoint& a = vertices[std::size_t(facet[0])];
       for (std::size_t i = 1; i + 1 < facet.size(); ++i) {
         const HomogeneousPoint& b = vertices[std::size_t(facet[i])];
@@ -87,7 +89,9 @@ struct ConvexPiece {
 // [/convex-piece]
 
 /// A piece as a triangle mesh in double, for figures: each coordinate is rounded once, so a facet
-/// of more than three vertices may be slightly bent.
+/// of more than three vertices may be slightly bent. Without facets it has no triangles; a
+/// coordinate beyond the largest double becomes infinite, and triangles that are too small lose
+/// their area.
 inline Mesh<double> rounded_piece(const ConvexPiece& piece) {
   Mesh<double> mesh;
   for (const HomogeneousPoint& vertex : piece.vertices) mesh.vertices.push_back(nearest(vertex));
@@ -99,8 +103,8 @@ inline Mesh<double> rounded_piece(const ConvexPiece& piece) {
   return mesh;
 }
 
-/// The sum of the volumes of pieces, m³, exactly. Slow for pieces with many vertices that are not
-/// given points, because fractions are not reduced.
+/// The sum of the volumes of pieces, m³, exactly; 0 without pieces. Slow for pieces with many
+/// vertices that are not given points, because fractions are not reduced.
 inline ExactFraction volume_of_pieces(const std::vector<ConvexPiece>& pieces) {
   ExactFraction sum;
   for (const ConvexPiece& piece : pieces) sum += piece.volume();

@@ -31,7 +31,8 @@ struct MeshComponent {
 /// What `check_mesh` found.
 ///
 /// Triangles with an index out of range or a repeated one are left out of all but their own faults:
-/// an edge between a vertex and itself separates nothing.
+/// an edge between a vertex and itself separates nothing. An empty mesh is `ok()`, has a count of 0
+/// for every kind, and bounds no solid.
 struct MeshReport {
   bool closed = true;    ///< every edge has an even number of triangles
   bool oriented = true;  ///< at each edge as many triangles run one way as the other; if their
@@ -359,7 +360,8 @@ MeshReport check_mesh(const Mesh<S>& mesh) {
 /// The mesh with each group of equal vertices replaced by the first of them: what makes a triangle
 /// soup, where each triangle has its own vertices, an indexed mesh. Nothing else changes; vertices
 /// that are then unused stay. Exactly equal coordinates only: a tolerance could merge what is
-/// apart, and is not transitive.
+/// apart, and is not transitive. −0 equals 0; a vertex that is not finite is equal to none, and an
+/// index out of range stays.
 template <std::floating_point S>
 Mesh<S> merge_equal_vertices(Mesh<S> mesh) {
   std::vector<int> name(mesh.vertices.size());

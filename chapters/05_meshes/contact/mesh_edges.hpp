@@ -119,7 +119,8 @@ std::map<std::array<int, 2>, int> edge_balance(const Mesh<S>& mesh) {
 
 /// All edges of a mesh, each once, sorted by their vertices. O(n log n).
 ///
-/// Triangles with an index out of range or a repeated one are left out.
+/// Triangles with an index out of range or a repeated one are left out. Coordinates do not matter:
+/// a triangle without area, or with NaN, has its three edges.
 template <Ring S>
 std::vector<MeshEdge> mesh_edges(const Mesh<S>& mesh) {
   using mesh_check_detail::HalfEdge;
@@ -135,7 +136,8 @@ std::vector<MeshEdge> mesh_edges(const Mesh<S>& mesh) {
   return edges;
 }
 
-/// The vertex of a triangle that is not on an edge of it.
+/// The vertex of a triangle that is not on an edge of it: the first one if there are several, and
+/// the triangle's first vertex if there is none, as with a repeated index.
 inline int third_vertex(const std::array<int, 3>& triangle, const std::array<int, 2>& edge) {
   for (const int v : triangle) {
     if (v != edge[0] && v != edge[1]) return v;

@@ -38,6 +38,8 @@ struct MeshFault {
 
 /// A fault in words, in English: "edge 0-1 from (0, 0, 0) to (1, 0, 0) belongs to triangle 3 alone:
 /// the surface ends there".
+/// A coordinate that is not finite is written as "nan" or "inf", some with a minus sign.
+/// @param fault as `check_mesh` found it: one that names too little is an error of the program
 /// @param mesh the one that was checked
 template <std::floating_point S>
 std::string text(const MeshFault& fault, const Mesh<S>& mesh) {

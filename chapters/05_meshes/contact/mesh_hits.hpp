@@ -388,7 +388,8 @@ std::optional<MeshHit<S>> first_mesh_hit(const Line& line, const Mesh<S>& mesh) 
 // [/first-mesh-hit]
 
 // [any-mesh-hit]
-/// Whether a ray or a segment meets a mesh anywhere: stops at the first triangle that is met.
+/// Whether a ray or a segment meets a mesh anywhere: stops at the first triangle that is met. What
+/// is degenerate or not finite is not met, as in `first_mesh_hit`.
 template <FloatOrDouble S, LineOf<S> Line>
 bool any_mesh_hit(const Line& line, const Mesh<S>& mesh) {
   bool found = false;
@@ -403,7 +404,8 @@ bool any_mesh_hit(const Line& line, const Mesh<S>& mesh) {
 ///
 /// A point on an edge or at a vertex counts once, however many triangles have it: triangles with
 /// exactly the same t are one hit. So the number of hits of a closed mesh can be odd where the line
-/// only touches an edge or a vertex, and it says nothing of inside and outside.
+/// only touches an edge or a vertex, and it says nothing of inside and outside. What is degenerate
+/// or not finite is not met, as in `first_mesh_hit`.
 template <FloatOrDouble S, LineOf<S> Line>
 std::vector<MeshHit<S>> all_mesh_hits(const Line& line, const Mesh<S>& mesh) {
   const detail::MeshLine prepared(in_double(line));
@@ -431,7 +433,9 @@ std::vector<MeshHit<S>> all_mesh_hits(const Line& line, const Mesh<S>& mesh) {
 /// All hits as the triangles give them one by one: sorted by the rounded t, then by index.
 ///
 /// An edge that the line meets may appear for both of its triangles, for one, or for none: the
-/// answer is as good as the method. The feature is that of the rounded weights.
+/// answer is as good as the method. The feature is that of the rounded weights. Whether there is a
+/// hit with input that is degenerate or not finite, or after an overflow, the method decides; hits
+/// with t = NaN are in no order.
 /// @param method called with the line and a triangle; returns an optional `TriangleHit<S>`, as
 /// intersect_moller_trumbore and intersect_watertight do
 template <Scalar S, LineOf<S> Line, class Method>

@@ -1,6 +1,10 @@
 /// @file
 /// Meshes to try things on: boxes, balls, tori, prisms, stars. All are closed and oriented, with
 /// the front of every triangle outside.
+///
+/// The functions that change a given mesh take every mesh: of an empty one they make an empty one,
+/// and where they only copy, coordinates that are not finite and indices that are out of range
+/// stay.
 #pragma once
 
 #include <algorithm>
@@ -264,21 +268,24 @@ inline Mesh<double> prism_mesh(const Polygon<double>& polygon, double low, doubl
 }
 // [/prism-mesh]
 
-/// World coordinates of a mesh given in the frame.
+/// World coordinates of a mesh given in the frame. A vertex or frame with a number that is not
+/// finite gives coordinates that are NaN or infinite, and so does an overflow.
 template <Ring S>
 Mesh<S> transformed(Mesh<S> mesh, const CoordinateFrame<S>& frame) {
   for (Vector3<S>& v : mesh.vertices) v = Vector3<S>(position_in_world(frame, v));
   return mesh;
 }
 
-/// The mesh moved by a vector, in m; each coordinate is rounded once.
+/// The mesh moved by a vector, in m; each coordinate is rounded once, and infinite if it overflows.
+/// NaN in the vector makes this coordinate of all vertices NaN.
 template <Ring S>
 Mesh<S> translated(Mesh<S> mesh, const Vector3<S>& by) {
   for (Vector3<S>& v : mesh.vertices) v += by;
   return mesh;
 }
 
-/// The same triangles as a soup: each with three vertices of its own.
+/// The same triangles as a soup: each with three vertices of its own. Vertices that no triangle
+/// uses are left out; an index out of range is an error of the program.
 template <Ring S>
 Mesh<S> triangle_soup(const Mesh<S>& mesh) {
   Mesh<S> soup;
@@ -292,7 +299,7 @@ Mesh<S> triangle_soup(const Mesh<S>& mesh) {
 }
 
 /// Both meshes as one: the vertices and triangles of the second after those of the first. Nothing
-/// is cut or merged.
+/// is cut or merged. An index of the second that is out of range may then name another vertex.
 template <Ring S>
 Mesh<S> joined(Mesh<S> first, const Mesh<S>& second) {
   const int offset = static_cast<int>(first.vertices.size());
@@ -311,7 +318,8 @@ Mesh<S> inside_out(Mesh<S> mesh) {
   return mesh;
 }
 
-/// The mesh with its coordinates rounded to another type.
+/// The mesh with its coordinates rounded to another type. Those beyond its largest number become
+/// infinite, and those too close to 0 become 0, so that triangles may lose their area.
 template <std::floating_point To, std::floating_point From>
 Mesh<To> rounded_mesh(const Mesh<From>& mesh) {
   Mesh<To> result;

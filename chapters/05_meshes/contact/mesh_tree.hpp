@@ -88,7 +88,7 @@ class MeshTree {
   /// @param visit called with the number of a triangle, or with it and its `Triangle<S>`; returns
   /// whether to stop
   /// @param counts if not null, what was looked at is added to it
-  /// @return whether visit stopped
+  /// @return whether visit stopped; without a triangle nothing is called, and it is false
   template <class Enters, class Visit>
   bool visit(const Enters& enters, const Visit& visit, TreeCounts* counts = nullptr) const {
     const auto ask = [&](int position) -> bool {

@@ -1,6 +1,10 @@
 /// @file
 /// A segment against a mesh that moves: the delta matrix, the path of the point in the body's
 /// frame, and how far the chord that replaces this path is from it.
+///
+/// Matrices, frames and paths are added and multiplied without a division. So a number that is not
+/// finite, or an overflow, makes all that depends on it NaN or infinite, and a query with it has no
+/// hit.
 #pragma once
 
 #include <Eigen/Core>
@@ -99,19 +103,23 @@ Vector3<S> carried_in_body(const CoordinateFrame<S>& pose0, const CoordinateFram
 /// a few u more for stored axes.
 ///
 /// The error grows with the distance from the world's origin, because the matrix rotates about it.
+/// If a' is not finite, the bound is infinite.
 template <std::floating_point S>
 S delta_matrix_rounding(const CoordinateFrame<S>& pose0, const CoordinateFrame<S>& pose1,
                         const Vector3<S>& a) {
   const S size = pose1.origin.cwiseAbs().maxCoeff() +
                  S(1.001) * (pose0.origin.cwiseAbs().sum() + a.cwiseAbs().sum());
+  const Matrix4<S> delta = delta_matrix(homogeneous_matrix(pose0), homogeneous_matrix(pose1));
+  if (!all_finite(carried_column(delta, a))) return std::numeric_limits<S>::infinity();
   return S(1.001) * tolerance::gamma<S>(10) * size + S(64) * tolerance::underflow_unit<S>;
 }
 
 /// The same bound for `carried_in_body`: u |o₁| + γ(8) Σ|a − o₀|. The world's origin enters only by
-/// the rounding of the result itself.
+/// the rounding of the result itself. If this is not finite, the bound is infinite.
 template <std::floating_point S>
 S carried_in_body_rounding(const CoordinateFrame<S>& pose0, const CoordinateFrame<S>& pose1,
                            const Vector3<S>& a) {
+  if (!all_finite(carried_in_body(pose0, pose1, a))) return std::numeric_limits<S>::infinity();
   const S away = S(1.001) * Vector3<S>(a - pose0.origin).cwiseAbs().sum();
   return S(1.001) * (tolerance::unit_roundoff<S> * pose1.origin.cwiseAbs().maxCoeff() +
                      tolerance::gamma<S>(8) * away) +
@@ -136,7 +144,8 @@ Segment<S> chord_in_body(const Segment<S>& path, const CoordinateFrame<S>& pose0
 /// chord (γ(4) times the distances from the body's origin) the answer is exact if the body does not
 /// rotate. If it rotates, the point's path in the body is curved, and `chord_bound` says how far it
 /// is from the chord: within this distance of the mesh's edge or surface a hit can be missed or
-/// invented.
+/// invented. A chord of length 0, as of a point that is at rest in the body, has no hit, even on
+/// the mesh.
 /// @param path of the point, in the world, from start (at pose 0) to end (at pose 1), m
 /// @param mesh in the body's frame, m
 template <FloatOrDouble S>
@@ -178,13 +187,14 @@ struct RigidMotion {
 };
 // [/rigid-motion]
 
-/// v without its component along the unit vector k.
+/// v without its component along the unit vector k; v itself if k = 0.
 template <std::floating_point S>
 Vector3<S> perpendicular_part(const Vector3<S>& v, const Vector3<S>& k) {
   return v - k * k.dot(v);
 }
 
-/// The frame at a fraction of the step.
+/// The frame at a fraction of the step. Without rotation its axes are exactly those of the start.
+/// The rotation must be finite: `exponential` may take one with NaN for 0.
 template <std::floating_point S>
 CoordinateFrame<S> frame_at(const RigidMotion<S>& motion, S s) {
   return {
@@ -196,14 +206,15 @@ CoordinateFrame<S> frame_at(const RigidMotion<S>& motion, S s) {
 /// velocity. Two poses do not tell how often the body has turned between them.
 ///
 /// @return the rotation is off by a few u; if the axes are equal it is exactly 0. For a half turn
-/// both directions are possible, and one is taken
+/// both directions are possible, and one is taken. For axes that differ and are not finite it is
+/// NaN
 template <std::floating_point S>
 RigidMotion<S> motion_between(const CoordinateFrame<S>& pose0, const CoordinateFrame<S>& pose1) {
   RigidMotion<S> motion{pose0, pose1.origin - pose0.origin, Vector3<S>::Zero()};
   if (pose0.axes == pose1.axes) return motion;
   const Quaternion<S> turn = quaternion_of<S>(Matrix3<S>(pose0.axes.transpose() * pose1.axes));
   const S largest = turn.v.cwiseAbs().maxCoeff();
-  if (!(largest > S(0))) return motion;
+  if (largest == S(0) && all_finite(turn.v)) return motion;
   const Vector3<S> share = turn.v / largest;
   const S length = std::sqrt(share.dot(share));
   const S half = static_cast<S>(portable_angle(double(largest * length), double(turn.w)));
@@ -216,7 +227,8 @@ RigidMotion<S> motion_between(const CoordinateFrame<S>& pose0, const CoordinateF
 /// subtracted from the point's position, and the difference turned back.
 ///
 /// Without rotation this is a straight line. With it, it is the arc of a circle if the point does
-/// not move relative to the origin, and a spiral in general.
+/// not move relative to the origin, and a spiral in general. The rotation must be finite, as in
+/// `frame_at`.
 template <std::floating_point S>
 Vector3<S> path_in_body(const RigidMotion<S>& motion, const Segment<S>& path, S s) {
   const Vector3<S> start = path.start - motion.start.origin;
@@ -246,6 +258,7 @@ Vector3<S> path_in_body(const RigidMotion<S>& motion, const Segment<S>& path, S 
 /// through it, at the start or the end (between them it is not larger)
 /// @param displacement d, m: |displacement of the point − that of the body's origin|, or the part
 /// of it that is perpendicular to the axis
+/// @param substeps n, not 0: then the bound is infinite, or NaN where it would be 0
 /// @return m; 0 if the angle is 0. Attained in the limit of small angles by either term alone
 template <Scalar S>
 S chord_bound(const S& angle, const S& distance, const S& displacement, int substeps = 1) {
@@ -254,7 +267,8 @@ S chord_bound(const S& angle, const S& distance, const S& displacement, int subs
 
 /// The same for a motion and a path, with distances from the axis. Off by a few u of the distances
 /// from the origin, at every scale, unless the bound itself is below the normal numbers of S;
-/// exactly 0 for a translation, infinite if something overflows or is not finite.
+/// exactly 0 for a translation, infinite if something overflows or is not finite, or for a rotation
+/// in 0 substeps.
 template <std::floating_point S>
 S chord_bound(const RigidMotion<S>& motion, const Segment<S>& path, int substeps = 1) {
   constexpr S endless = std::numeric_limits<S>::infinity();
@@ -295,12 +309,14 @@ struct SubstepHit {
 
 /// The first hit with the path replaced by n chords, whose ends are on it. The chords' distance
 /// from the path is chord_bound(motion, path, n); nothing is proved about hits and misses within
-/// it.
+/// it. A chord of length 0, or with a coordinate that is not finite, has no hit; without a finite
+/// rotation there is none at all.
 /// @param mesh in the body's frame, m
 /// @param substeps n ≥ 1; fewer give no hit
 template <FloatOrDouble S>
 std::optional<SubstepHit<S>> moving_by_substeps(const Segment<S>& path, const Mesh<S>& mesh,
                                                 const RigidMotion<S>& motion, int substeps) {
+  if (!all_finite(motion.rotation)) return std::nullopt;
   Vector3<S> from = path_in_body<S>(motion, path, S(0));
   for (int i = 0; i < substeps; ++i) {
     const Vector3<S> to = path_in_body<S>(motion, path, S(i + 1) / S(substeps));

@@ -426,13 +426,13 @@ inline std::optional<ScaledQuestion> scaled_question(const Segment<double>& path
 ///
 /// @param path of the point, in the world, m
 /// @param mesh in the body's frame, m; any triangles
-/// @param max_chords limit of the refinement; another is that no part of the step shorter than
-/// 2^-30 of it is divided
+/// @param max_chords limit of the refinement; at least one chord is tested. Another limit is that
+/// no part of the step shorter than 2^-30 of it is divided
 /// @param resolution a hit is refined until the first contact is known to this fraction of the
 /// step, not below 2^-30, if the limits allow and no earlier part stays undecided
-/// @return undecided if a number is not finite. Lengths are scaled by a power of two; if their
-/// magnitudes are so different that this would round one, or by more than about 1e±60, more is
-/// undecided
+/// @return free if there are no triangles; undecided if a number is not finite, also of a vertex
+/// that no triangle uses. Lengths are scaled by a power of two; if their magnitudes are so
+/// different that this would round one, or by more than about 1e±60, more is undecided
 ///
 /// Limits: the time is proportional to the triangles near the path times the chords. Point and body
 /// move as `chord_bound` requires.

@@ -78,7 +78,8 @@ Where in_convex(const Vector3<S>& point, const Mesh<S>& mesh) {
 /// The number of triangles that a ray from the point meets, each asked on its own by Möller and
 /// Trumbore. An edge belongs to two triangles and a vertex to several, so a ray through one may be
 /// counted once, several times or, with rounding, never.
-/// @param direction of the ray, of any length but 0
+/// @param direction of the ray, of any length; with 0, or with a number that is not finite in it or
+/// in the point, the ray meets nothing
 template <Scalar S>
 int crossings_by_triangles(const Vector3<S>& point, const Mesh<S>& mesh,
                            const Vector3<S>& direction) {
@@ -94,8 +95,8 @@ int crossings_by_triangles(const Vector3<S>& point, const Mesh<S>& mesh,
 ///
 /// Limits: may be wrong where the ray meets an edge or a vertex, or comes so close that the
 /// triangles disagree by rounding; on the surface by chance. A ray in the plane of a triangle does
-/// not meet it. A point or direction with NaN and a zero direction: outside. A vertex with NaN: its
-/// triangles are not counted, so the answer means nothing.
+/// not meet it. A point or direction that is not finite and a zero direction: outside. A vertex
+/// that is not finite: its triangles are not counted, so the answer means nothing.
 ///
 /// Source: *Interaction and Normals*, slide "Collision detection: polyhedra": a semi-infinite ray
 /// from the vertex intersects an odd number of faces.
@@ -164,8 +165,8 @@ struct RandomRays {
 /// Limits: no proof. The margin is one of barycentric weights, and their rounding errors may be
 /// larger: for a triangle that is nearly parallel to the ray, or far away in multiples of its size.
 /// Close to an edge most directions are within the margin of it. The more triangles a ray meets,
-/// the more rays are replaced. On the surface each vote is a matter of chance. A point with NaN:
-/// outside. A vertex with NaN: the answer means nothing.
+/// the more rays are replaced. On the surface each vote is a matter of chance. A point that is not
+/// finite: outside, without a ray. A vertex that is not finite: the answer means nothing.
 /// @param margin of the barycentric weights
 /// @param seed of the directions: the same seed, the same answer on every machine
 template <std::floating_point S>
@@ -173,6 +174,7 @@ RandomRays in_by_random_rays(const Vector3<S>& point, const Mesh<S>& mesh, S mar
                              std::uint64_t seed = 1) {
   constexpr int votes = 3, tries = 32;
   RandomRays answer;
+  if (!all_finite(point)) return answer;
   int inside = 0;
   for (int vote = 0; vote < votes; ++vote) {
     std::optional<int> count;

@@ -243,7 +243,7 @@ struct PolyhedraTest {
 /// decides, and if none is, the solids are apart. A solid here is what the surface has a winding
 /// number other than 0 around, and the surface itself. Touching counts. `vertices` and `edges` show
 /// what a test alone misses. A mesh that is not closed: only what edges against faces find means
-/// anything. A mesh without triangles, or with a vertex that is not finite: they do not meet.
+/// anything. A mesh without triangles, or with one that is not finite: they do not meet.
 ///
 /// Limits: the time grows as the product of the numbers of edges and faces, because no tree is
 /// used.

@@ -24,7 +24,7 @@ struct SolidAngleWinding {
   double bound = 0;    ///< the exact value differs from it by at most this; may be infinite
 
   /// For a closed mesh the winding number, if the bound proves it: there is only one whole number
-  /// within the bound. For an open mesh it means nothing.
+  /// within the bound. For an open mesh it means nothing. Nothing if the bound is infinite or NaN.
   std::optional<int> certain() const {
     if (!(bound < 0.5)) return std::nullopt;
     const double nearest = std::round(winding);
@@ -127,7 +127,8 @@ SolidAngleWinding winding_by_solid_angles(const Vector3<S>& point, const Mesh<S>
 /// Limits: on a face half a turn is lost or gained by chance, and near an edge or a vertex several
 /// triangles can be wrong by a whole turn. The product of the three distances from the point to a
 /// triangle's vertices may overflow or underflow, for sizes beyond about 1e±100 in double and 1e±12
-/// in float: then even the centre may be outside.
+/// in float: then even the centre may be outside. No triangles, or a number that is not finite:
+/// outside.
 template <FloatOrDouble S>
 Where where_by_solid_angles(const Vector3<S>& point, const Mesh<S>& mesh) {
   const double winding = winding_by_solid_angles(point, mesh).winding;

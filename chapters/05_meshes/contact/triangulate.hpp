@@ -386,6 +386,7 @@ std::vector<std::array<int, 3>> triangulate_in_space(const std::vector<SpacePoly
   PolygonWithHoles<S> flat;
   flat.outer = drop_dimension<S>(rings[0], k);
   for (std::size_t r = 1; r < rings.size(); ++r) {
+    for (const Vector3<S>& v : rings[r]) require_finite("holes", v);
     flat.holes.push_back(drop_dimension<S>(rings[r], k));
   }
   std::vector<std::array<int, 3>> triangles = triangulate(flat);
