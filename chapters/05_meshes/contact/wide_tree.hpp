@@ -172,8 +172,8 @@ template <FloatOrDouble S>
 Descendants four_descendants(const BoxHierarchy<S>& tree, std::size_t root, double scale) {
   Descendants below{{root}, 1};
   const auto surface = [&](std::size_t n) {
-    const Vector3<double> size =
-        ((tree.nodes[n].box.high - tree.nodes[n].box.low).template cast<double>()) * scale;
+    const Aabb<S>& box = tree.nodes[n].box;  // halves cannot overflow
+    const Vector3<double> size = (box.high / S(2) - box.low / S(2)).template cast<double>() * scale;
     return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   };
   while (below.count < 4) {
