@@ -32,7 +32,8 @@ class MovedVertex {
     // type.
     constexpr double four_u = 2 * std::numeric_limits<double>::epsilon();
     const double t = time.nearest();
-    if (t != 0 && t < 0x1p-900) error_ = std::numeric_limits<double>::infinity();
+    const bool moves = time.above.sign() != 0;  // t may be 0 by underflow
+    if (moves && t < 0x1p-900) error_ = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
       const double step = t * d[k];
       near_[k] = x[k] + step;
