@@ -261,7 +261,12 @@ inline bool finite_mesh(const Mesh<double>& mesh) {
 ///
 /// The surfaces are meant: a mesh inside another one is apart from it. If the meshes have a common
 /// point at the start, t is 0 and the contacts are those of the start: then `realised_by` may be
-/// empty. Flat edges are no edges (`FeatureNames`). Triangles without area are segments or points.
+/// empty. With a zero displacement only the start counts. Flat edges are no edges (`FeatureNames`).
+/// Triangles without area are segments or points.
+///
+/// Overflow and underflow change neither time nor features, but `t` may be rounded to 0. Positions
+/// are rounded, without a bound: possibly infinite or NaN if a coordinate or the length of an edge
+/// overflows.
 ///
 /// Each vertex against each triangle and each edge against each edge: for small meshes.
 /// @param moving m, where it starts

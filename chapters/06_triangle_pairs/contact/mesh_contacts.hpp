@@ -30,7 +30,7 @@ struct MeshContact {
   Vector3<S> position = Vector3<S>::Zero();  ///< m
   S bound = S(0);  ///< m; each coordinate of the exact point differs by at most this
 
-  /// Which of the six kinds it is.
+  /// Which of the six kinds it is, from the two features alone.
   ContactKind kind() const { return contact_kind(of_first.kind, of_second.kind); }
 };
 // [/mesh-contact]
@@ -140,8 +140,9 @@ auto key(const MeshContact<S>& c) {
 /// Flat edges are no edges, but inside a face (see FeatureNames), so how a flat face is divided
 /// into triangles changes nothing; each vertex stays a feature, also inside a flat face. Equal
 /// vertices count as one, the first of them: a soup has the contacts of the mesh that it was. A
-/// triangle with a coordinate that is not finite is left out. The list is the same for every order
-/// of the triangles, but for the names of faces, and of two meshes swapped it is the same with the
+/// triangle with a coordinate that is not finite is left out, and one without area is the segment
+/// or the point that it is. An empty mesh has no contacts. The list is the same for every order of
+/// the triangles, but for the names of faces, and of two meshes swapped it is the same with the
 /// features swapped.
 ///
 /// Limits: if a mesh touches or crosses itself at a contact (also a vertex inside an edge that is
@@ -180,7 +181,8 @@ std::vector<MeshContact<S>> mesh_contacts(const Mesh<S>& a, const Mesh<S>& b) {
 // [contacts-of-pairs]
 /// For comparison: the points of each pair of triangles that meet, pair by pair. A contact is in
 /// the list as often as pairs of triangles share it, and the ends at flat edges are in it too.
-/// Features are those of single triangles: equal vertices are not merged.
+/// Features are those of single triangles: equal vertices are not merged. Triangles without area or
+/// not finite and empty meshes count as in `mesh_contacts`.
 template <FloatOrDouble S>
 std::vector<MeshContact<S>> contacts_of_pairs(const MeshTree<S>& a, const MeshTree<S>& b) {
   using mesh_contacts_detail::triangle_feature;

@@ -40,7 +40,9 @@ struct NamedFeature {
 class FeatureNames {
  public:
   /// O(n log n). The mesh must outlive this.
-  /// @param mesh m, finite vertices; a triangle with a repeated index has no flat edge
+  /// @param mesh m; a triangle without area, or with an index that is repeated or out of range, has
+  /// no flat edge. A triangle with a vertex that is not finite is an error of the program, and may
+  /// assert
   template <FloatOrDouble S>
   explicit FeatureNames(const Mesh<S>& mesh)
       : triangles_(mesh.triangles), flat_(mesh.triangles.size()) {
@@ -63,7 +65,9 @@ class FeatureNames {
     }
   }
 
-  /// The feature of the mesh whose relative interior contains that of a feature of triangle i.
+  /// The feature of the mesh whose relative interior contains that of a feature of triangle i; a
+  /// number i without a triangle is an error of the program, here and below. An edge from a vertex
+  /// to itself names this vertex twice.
   NamedFeature of(std::size_t i, const Feature& feature) const {
     const std::array<int, 3>& t = triangles_[i];
     const auto index = static_cast<std::size_t>(feature.index);
@@ -79,9 +83,9 @@ class FeatureNames {
     }
     return {FeatureKind::face, named};
   }
-  /// The first triangle of the face that triangle i belongs to.
+  /// The first triangle of the face that triangle i belongs to; i itself if it has no area.
   int face(std::size_t i) const { return faces_[i]; }
-  /// Whether edge 0, 1 or 2 of triangle i is flat.
+  /// Whether edge 0, 1 or 2 of triangle i is flat; false if the triangle has no area.
   bool is_flat(std::size_t i, int edge) const { return flat_[i][static_cast<std::size_t>(edge)]; }
 
  private:

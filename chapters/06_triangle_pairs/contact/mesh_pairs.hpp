@@ -258,7 +258,8 @@ bool meet_beyond_shared(const Triangle<S>& s, const Triangle<S>& t) {
 /// A vertex is shared if the two triangles have vertices at equal positions, so it is the same for
 /// a soup. An edge is shared if its two ends are. Exact, touching counts: a vertex on a face or on
 /// the middle of an edge, folded triangles, the same triangle twice. A triangle with a coordinate
-/// that is not finite is left out.
+/// that is not finite is left out. A triangle without area is the segment or the point that it is.
+/// An empty mesh has no pairs.
 ///
 /// Limits: as of `meeting_triangles`.
 /// @param counts if not null, what was compared is added to it

@@ -170,7 +170,8 @@ inline Triangle<ExactFraction> in_fractions(const Triangle<double>& t) {
 ///
 /// Exact if S is an exact field; of several nearest pairs one. Rounded, a pair may be preferred
 /// that is as close up to rounding. If the triangles cross, the distance is not 0: an edge may pass
-/// through a face far from both borders.
+/// through a face far from both borders. If S is exact, a triangle without area is the segment or
+/// the point that it is. NaN, ∞ and overflow: no meaning; the distance may be finite nevertheless.
 // [nearest-apart]
 template <Scalar S>
 NearestFeatures<S> nearest_of_apart_triangles(const Triangle<S>& first, const Triangle<S>& second) {
@@ -222,7 +223,8 @@ NearestFeatures<S> nearest_of_triangles(const Triangle<S>& first, const Triangle
 }
 
 /// The same in fractions, for finite triangles: exact distance, kind and features. Slow. Where the
-/// triangles meet, the position is that of `intersect_triangles`, rounded.
+/// triangles meet, the position is that of `intersect_triangles`, rounded. A coordinate that is not
+/// finite is an error of the program, and asserts.
 template <FloatOrDouble S>
 NearestFeatures<ExactFraction> nearest_of_triangles_exactly(const Triangle<S>& first,
                                                             const Triangle<S>& second) {

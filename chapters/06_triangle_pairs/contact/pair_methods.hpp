@@ -118,7 +118,8 @@ bool flat_meet(const std::array<Vector2<S>, 3>& t, const std::array<Vector2<S>, 
 ///    projection without the coordinate in which |n₂| is largest.
 ///
 /// Touching counts. If all d_i are 0, the first triangle is in the plane of the second, or the
-/// second has no area: the steps have no answer, and `coplanar` says so.
+/// second has no area: the steps have no answer, and `coplanar` says so. If the first has no area,
+/// it is the segment or the point that it is.
 ///
 /// Limits: every number is rounded, d_i by a few u |n₂||u_i|, and p and q with them, so triangles
 /// that touch or nearly touch may be decided wrongly in both directions; far from the origin also
@@ -222,12 +223,13 @@ OfVertices<S> without_small(OfVertices<S> d, const S& epsilon) {
 ///
 /// @param epsilon m³: each d_i nearer to 0 is taken for 0. It is no length, but a length times
 /// twice an area: of triangles with an area of 1 m², 10⁻⁶ is half a micrometre; of those with 1 mm²
-/// half a metre
+/// half a metre. Below 0 or NaN: as 0; ∞: all triangles count as coplanar
 ///
 /// Limits: distances and ends of intervals are rounded, so triangles that nearly touch may be
 /// decided wrongly in both directions; a product of two d_i can underflow, and then two vertices
 /// on one side are not seen as such. With an epsilon, triangles that are apart can be taken for
-/// coplanar. A triangle without area counts as coplanar. NaN and overflow: no meaning.
+/// coplanar. A triangle without area counts as coplanar, and one that is apart can be taken for
+/// meeting. NaN and overflow: no meaning.
 ///
 /// Source: Möller, A Fast Triangle-Triangle Intersection Test, Journal of Graphics Tools 2 (1997).
 template <Scalar S>
@@ -260,7 +262,8 @@ bool meet_by_intervals(const Triangle<S>& first, const Triangle<S>& second, S ep
 /// common segment is on an edge. In one plane no edge has a single meeting point: false, also where
 /// they overlap. A triangle without area is met by no edge.
 ///
-/// Limits: rounded; two triangles that touch may be decided wrongly. A NaN: false.
+/// Limits: rounded; two triangles that touch may be decided wrongly. An edge or a triangle with a
+/// NaN meets nothing, but other edges of the same pair may. ∞ and overflow: no meaning.
 template <Scalar S>
 bool meet_by_edges(const Triangle<S>& first, const Triangle<S>& second) {
   const auto an_edge_meets = [](const Triangle<S>& t, const Triangle<S>& face) {

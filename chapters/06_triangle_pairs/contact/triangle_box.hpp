@@ -23,7 +23,8 @@ namespace contact {
 /// Limits: everything is doubled, so that S need not divide. All axes but the first three round,
 /// and the first three round when the centre is subtracted. Touching counts as far as S can tell. A
 /// box of which some edges have no length and a triangle without area are the sets of points that
-/// they are. Exact if S is exact.
+/// they are. Exact if S is exact. Overflow, ∞ and NaN: no meaning; a NaN separates nothing, so a
+/// triangle of NaN meets every box.
 /// @param t m
 /// @param box m, low ≤ high
 ///

@@ -1,6 +1,9 @@
 /// @file
 /// The features of a triangle, its vertices, edges and face, and the kinds of contact that they
 /// make.
+///
+/// Nothing here reads a coordinate: a triangle without area, or one that is not finite, has the
+/// same features as any other. An index that is not 0, 1 or 2 is an error of the program.
 #pragma once
 
 namespace contact {
@@ -55,7 +58,8 @@ constexpr ContactKind contact_kind(FeatureKind f, FeatureKind g) {
   return g == FeatureKind::edge ? with_edge : with_face;
 }
 
-/// The edge of a triangle between two of its vertices, 0 to 2.
+/// The edge of a triangle between two of its vertices, 0 to 2. Of a vertex and itself, the edge
+/// that starts there.
 constexpr int edge_between(int vertex, int other) {
   return (vertex + 1) % 3 == other ? vertex : other;
 }
