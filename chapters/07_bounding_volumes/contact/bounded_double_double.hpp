@@ -20,6 +20,10 @@ namespace contact {
 ///
 /// The factor 1 + 16u covers the roundings of the bound itself, and 2^-1000 all underflow. After an
 /// overflow the bound is infinite or NaN, and no sign is certain.
+///
+/// An infinite number that is given as exact has a certain sign, NaN has none; no sum, difference,
+/// product or quotient of either has one. Only a certain 0 stays one: as a factor of anything, and
+/// divided by what has a certain sign.
 struct BoundedDoubleDouble {
   double high = 0;   ///< the sum, rounded
   double low = 0;    ///< its rounding error
@@ -94,8 +98,8 @@ struct BoundedDoubleDouble {
     const BoundedDoubleDouble last = rest - y * BoundedDoubleDouble(second);
     const double least = std::abs(y.high) * (1 - 4 * RunningError::u) - y.bound;
     const auto quotient = two_sum(first, second);
-    if (last.is_zero()) return {quotient.value, quotient.error, 0};
     if (!(least > 0)) return {first, 0, std::numeric_limits<double>::infinity()};
+    if (last.is_zero()) return {quotient.value, quotient.error, 0};
     return {quotient.value, quotient.error,
             up(up(std::abs(last.high) + last.bound) / (least * (1 - 4 * RunningError::u))) +
                 RunningError::floor};

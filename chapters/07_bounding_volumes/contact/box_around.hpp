@@ -225,7 +225,10 @@ bool contains(const OrientedBox<S>& box, const Vector3<S>& point) {
 /// Whether a point is on the inner side of the six planes of a box's faces, as the lecture decides
 /// it, in the arithmetic of S.
 ///
-/// Limits: rounded. A point on a face, or one that made the box, may be outside.
+/// Limits: rounded. A point on a face, or one that made the box, may be outside. With half lengths
+/// that are not negative, an axis that is 0 excludes nothing; one that is infinite may exclude any
+/// or none. An infinite half length excludes every point where its axis has an entry 0.
+/// @return false if the point or the centre is not finite, or a number is NaN
 template <FloatOrDouble S>
 bool inside_six_planes(const OrientedBox<S>& box, const Vector3<S>& point) {
   for (int i = 0; i < 3; ++i) {
@@ -242,7 +245,10 @@ bool inside_six_planes(const OrientedBox<S>& box, const Vector3<S>& point) {
 /// Whether a point is between each pair of parallel faces: three slabs |axisᵢ · (p − centre)| ≤
 /// half lengthᵢ, in the arithmetic of S.
 ///
-/// Limits: rounded, and only with orthonormal axes about the same body as contains().
+/// Limits: rounded, and only with orthonormal axes about the same body as contains(). With half
+/// lengths that are not negative, an axis that is 0 excludes no finite point.
+/// @return false if a number is NaN; with finite half lengths also if another number is infinite,
+/// or the product along an axis overflows
 template <FloatOrDouble S>
 bool between_each_pair(const OrientedBox<S>& box, const Vector3<S>& point) {
   const Vector3<S> from_centre = point - box.centre;

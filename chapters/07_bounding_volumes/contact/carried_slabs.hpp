@@ -134,6 +134,8 @@ inline double slab_bound(const Kdop<double>& dop, const SlabTriple* triple,
   }
   double error = sum.bound;
   for (const RunningError& r : rest) error += (std::abs(r.value) + r.bound) * coordinates;
+  // sum_up() takes finite numbers only; of NaN it makes the lowest one.
+  if (!std::isfinite(sum.value + error)) return std::numeric_limits<double>::infinity();
   return sum_up(sum.value, error * (1 + 16 * RunningError::u) + RunningError::floor);
 }
 
@@ -146,15 +148,25 @@ inline double slab_bound(const Kdop<double>& dop, const SlabTriple* triple,
 /// result grows at each turn: its normals do not turn with the object. A 6-DOP of a cube that turns
 /// by 45° about an axis doubles its volume. Remake the k-DOP from the object's points where the
 /// tightest one is wanted; carry the object's own k-DOP, never the one of the step before.
+///
+/// An infinite end of a slab bounds nothing; if the other slabs bound the body, the result is
+/// finite all the same. An empty k-DOP (low > high) may get an image that is not empty. Without
+/// normals the result has none.
 /// @param dop m, in the frame; three of its normals are independent: the determinant is more than
 /// 2^-40 of the product of their lengths, which are from 1e-90 to 1e90
 /// @param frame taken as stored, also if its axes are no rotation
-/// @throws std::invalid_argument if the k-DOP has no end (a prism), or a number is not finite
+/// @throws std::invalid_argument if the k-DOP has no end (a prism), another number is not finite,
+/// or twice a coordinate of the k-DOP or an offset of its image may overflow
 template <FloatOrDouble S>
 Kdop<S> carried(const Kdop<S>& dop, const CoordinateFrame<S>& frame) {
   require_finite("frame", frame.axes);
   require_finite("frame", frame.origin);
   const Kdop<double> body = detail::in_double(dop);
+  for (std::size_t k = 0; k < body.normals.size(); ++k) {
+    if (std::isnan(body.low[k]) || std::isnan(body.high[k])) {
+      throw_invalid_argument("dop", "nan", "must be a number");
+    }
+  }
   const Matrix3<double> axes = frame.axes.template cast<double>();
   const auto origin = detail::triple<RunningError>(frame.origin.template cast<double>());
   const std::vector<detail::SlabTriple> triples = detail::slab_triples(body.normals);

@@ -36,7 +36,7 @@ inline double row_sum(const Matrix3<double>& axes, double shift) {
   for (int i = 0; i < 3; ++i) {
     double sum = std::abs(products(i, i) - shift);
     for (int j = 0; j < 3; ++j) sum += i == j ? 0.0 : std::abs(products(i, j));
-    largest = std::max(largest, sum);
+    if (!(sum <= largest)) largest = sum;  // NaN stays
   }
   const double diagonal = products.diagonal().maxCoeff();
   return largest + 16 * carry_u * (diagonal + std::abs(shift)) + 0x1p-1000;
@@ -50,6 +50,8 @@ inline double row_sum(const Matrix3<double>& axes, double shift) {
 ///
 /// Rounded axes are no rotation: they lengthen some vectors by a few u of their type. The columns
 /// may all be shorter than 1 and still lengthen a diagonal.
+/// @return about 2^-500 of axes that are 0; ∞ if squares overflow (beyond 1e154); ∞ or NaN if an
+/// entry is not finite
 template <FloatOrDouble S>
 double stretch_of(const Matrix3<S>& axes) {
   return std::sqrt(detail::row_sum(axes.template cast<double>(), 0)) * (1 + 4 * detail::carry_u);

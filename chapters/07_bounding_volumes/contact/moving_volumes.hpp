@@ -71,6 +71,9 @@ std::array<S, 2> swept_slab(S low, S high, const Exact& along) {
 /// The smallest k-DOP with these normals, of representable numbers, that contains a k-DOP
 /// throughout a straight displacement: low + min(0, n · d) and high + max(0, n · d), computed
 /// exactly and rounded outwards.
+///
+/// An offset beyond the largest number becomes infinite. A normal that is 0 keeps its slab. An
+/// empty k-DOP (low > high) is extended like any other, and may become one that is not empty.
 /// @param dop m; infinite bounds stay
 /// @param displacement m, finite
 /// @throws std::invalid_argument if a number is NaN, or the displacement or a normal is not finite
@@ -112,8 +115,8 @@ Aabb<S> aabb_in_any_orientation(const Vector3<S>& centre, S bounding_radius) {
 /// @param from, to of a length from 1e-70 to 1e70 (of floats any but 0); q and −q are one
 /// orientation
 /// @param bounding_radius r, m, not negative
-/// @throws std::invalid_argument if a quaternion is 0 or beyond that range, the radius negative, or
-/// a number not finite
+/// @throws std::invalid_argument if a quaternion is 0, or so far beyond that range that a product
+/// over- or underflows, the radius negative, a number not finite, or the bound overflows
 template <FloatOrDouble S>
 S sagitta(const Quaternion<S>& from, const Quaternion<S>& to, S bounding_radius) {
   require_finite("bounding_radius", bounding_radius);
@@ -162,7 +165,7 @@ double distance_from_rotation(const Matrix3<S>& axes) {
 /// rotations. Stored axes are rounded rotations: the result includes how far they can be from the
 /// rotations that they stand for, at both ends, some 100 u of the radius; near half a turn, where
 /// the cosine comes from the root of a difference, it may exceed the sagitta by √u of the radius.
-/// @return 0 if the axes are equal: then nothing turns
+/// @return 0 if the axes are equal: then nothing turns; ∞ if the result overflows
 /// @throws std::invalid_argument if axes are not nearly orthonormal, or the radius is negative or
 /// not finite
 template <FloatOrDouble S>
@@ -196,7 +199,8 @@ S sagitta(const Matrix3<S>& from, const Matrix3<S>& to, S bounding_radius) {
 /// k φ (cos φ − k), which is not above 0 for 0 ≤ φ ≤ h ≤ π/2, since sin φ / φ ≥ k ≥ cos h and
 /// cos φ ≥ cos h. So the distance is greatest in the middle, 1 − cos h; and the chord is in the box
 /// of both ends, which is convex.
-/// @param start, end boxes of the body at both ends, m
+/// @param start, end boxes of the body at both ends, m; that they are boxes (NaN, low > high) is
+/// not checked
 /// @param margin m, not negative: sagitta()
 /// @throws std::invalid_argument if the margin is negative or not finite, or the box overflows
 template <FloatOrDouble S>

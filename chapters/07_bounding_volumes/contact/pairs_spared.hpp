@@ -107,11 +107,15 @@ struct SceneCounts {
   std::array<int, all_volume_kinds.size()> may_meet{};  ///< by kind
   std::array<int, all_volume_kinds.size()> missed{};    ///< pairs that meet and were called apart
 
-  /// Pairs that the kind rejects: for these the bodies need not be compared.
-  int spared(VolumeKind kind) const { return pairs - may_meet[static_cast<std::size_t>(kind)]; }
-  /// Pairs whose volumes may meet and whose bodies do not.
+  /// Pairs that the kind rejects: for these the bodies need not be compared. 0 without pairs.
+  /// @throws std::invalid_argument if the kind is none of all_volume_kinds
+  int spared(VolumeKind kind) const {
+    return pairs - may_meet[volume_kinds_detail::index_of(kind)];
+  }
+  /// Pairs whose volumes may meet and whose bodies do not. 0 without pairs.
+  /// @throws std::invalid_argument if the kind is none of all_volume_kinds
   int false_alarms(VolumeKind kind) const {
-    const auto at = static_cast<std::size_t>(kind);
+    const std::size_t at = volume_kinds_detail::index_of(kind);
     return may_meet[at] - (meet - missed[at]);
   }
 };
@@ -136,6 +140,9 @@ inline Volumes volumes_of(const Mesh<double>& mesh) {
 /// Compares each body with each other one, by every kind of volume and exactly as solid bodies.
 /// @param shapes closed, oriented, of one component, all vertices used
 /// @param bodies their frames must be nearly orthonormal
+/// @return all counts 0 for no body or a single one
+/// @throws std::invalid_argument if a shape has no vertex, a coordinate is not finite, a body's
+/// shape does not exist, its frame is not nearly orthonormal, or a volume overflows
 inline SceneCounts count_pairs(std::span<const MeasuredShape> shapes,
                                std::span<const PlacedBody> bodies) {
   using namespace pairs_spared_detail;
@@ -145,6 +152,9 @@ inline SceneCounts count_pairs(std::span<const MeasuredShape> shapes,
   std::vector<MeshTree<double>> solids;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto shape = static_cast<std::size_t>(bodies[i].shape);
+    if (shape >= shapes.size()) {
+      throw_invalid_argument("bodies", std::to_string(bodies[i].shape), "there is no such shape");
+    }
     for (const BoundingVolume& v : of_shapes[shape]) {
       volumes[i].push_back(carried(v, bodies[i].frame));
     }

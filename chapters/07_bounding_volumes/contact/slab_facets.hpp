@@ -89,6 +89,20 @@ std::vector<UnitHalfSpace> half_spaces_of(const Kdop<S>& dop) {
   return kept;
 }
 
+/// Whether a slab has no point, since its low > high, an end is NaN, or all of it is at infinity.
+template <FloatOrDouble S>
+bool has_empty_slab(const Kdop<S>& dop) {
+  constexpr S infinity = std::numeric_limits<S>::infinity();
+  for (std::size_t k = 0; k < dop.normals.size(); ++k) {
+    const S low = dop.low[k], high = dop.high[k];
+    if (!(low <= high) || low == infinity || high == -infinity) return true;
+  }
+  return false;
+}
+
+/// Whether coordinates up to a bound are so large that facets would overflow, or endless.
+inline bool is_endless(double bound) { return !std::isfinite(16 * bound); }
+
 /// A bound on the length of all x in a k-DOP; ∞ if no three of its slabs with two finite bounds
 /// have independent normals, so that nothing is known.
 ///
@@ -151,10 +165,11 @@ inline std::vector<Vector3<double>> cleaned(std::vector<Vector3<double>> polygon
     const std::size_t n = polygon.size();
     const Vector3<double> in = polygon[i] - polygon[(i + n - 1) % n];
     const Vector3<double> through = polygon[(i + 1) % n] - polygon[(i + n - 1) % n];
-    const Vector3<double> twice_area = in.cross(through);
     const double length = through.cwiseAbs().maxCoeff();
+    // Divided first, so that no product over- or underflows.
+    const Vector3<double> beside = in.cross(Vector3<double>(through / length));
     const bool needed =
-        in.cwiseAbs().maxCoeff() > room && twice_area.cwiseAbs().maxCoeff() > 2 * room * length;
+        length > 0 && in.cwiseAbs().maxCoeff() > room && beside.cwiseAbs().maxCoeff() > 2 * room;
     if (needed) {
       ++i;
     } else {
@@ -175,13 +190,16 @@ inline std::vector<Vector3<double>> cleaned(std::vector<Vector3<double>> polygon
 /// Rounded: each facet is a large square of its plane, clipped by the other half-spaces, so a
 /// vertex is a few u of the size of the k-DOP and of its distance from the origin off, times the
 /// inverse of the sine between nearly parallel planes. To draw and to measure, not to decide.
-/// @return nothing for an empty k-DOP, and for one without an end (see plane_dop_vertices() for a
-/// prism)
+///
+/// A slab whose normal is 0 or not finite counts as none, and so does the infinite end of one.
+/// @return nothing for an empty k-DOP, or one with a NaN in low or high; for one without an end
+/// (see plane_dop_vertices() for a prism), and where that is not known because coordinates may
+/// exceed 1e307
 template <FloatOrDouble S>
 std::vector<std::vector<Vector3<double>>> kdop_facets(const Kdop<S>& dop) {
   const double reach = detail::bound_on_length(dop);
   std::vector<std::vector<Vector3<double>>> facets;
-  if (!std::isfinite(reach)) return facets;
+  if (detail::is_endless(reach) || detail::has_empty_slab(dop)) return facets;
   const std::vector<detail::UnitHalfSpace> sides = detail::half_spaces_of(dop);
   for (std::size_t i = 0; i < sides.size(); ++i) {
     std::vector<Vector3<double>> facet = detail::square_on(sides[i], 2 * reach);
@@ -197,6 +215,7 @@ std::vector<std::vector<Vector3<double>>> kdop_facets(const Kdop<S>& dop) {
 
 /// The vertices of a k-DOP, rounded as kdop_facets(): of vertices that are closer to each other
 /// than 2^-40 of the k-DOP's distance from the origin one is returned.
+/// @return nothing where kdop_facets() is
 template <FloatOrDouble S>
 std::vector<Vector3<double>> kdop_vertices(const Kdop<S>& dop) {
   std::vector<Vector3<double>> vertices;
@@ -217,13 +236,15 @@ std::vector<Vector3<double>> kdop_vertices(const Kdop<S>& dop) {
 
 /// The volume of a k-DOP in m³, rounded as kdop_facets(): the sum of the cones from one of its
 /// points to its facets.
-/// @return 0 if it is empty or flat, ∞ if it has no end or the result overflows
+///
+/// Slabs that kdop_facets() does not count are not counted here.
+/// @return 0 if it is empty or flat, or a number in low or high is NaN; ∞ if it has no end, or the
+/// result or a product on the way to it overflows (lengths beyond 1e102)
 template <FloatOrDouble S>
 double volume(const Kdop<S>& dop) {
-  for (std::size_t k = 0; k < dop.normals.size(); ++k) {
-    if (!(dop.low[k] <= dop.high[k])) return 0;
-  }
-  if (!std::isfinite(detail::bound_on_length(dop))) return std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (detail::has_empty_slab(dop)) return 0;
+  if (detail::is_endless(detail::bound_on_length(dop))) return infinity;
   const auto facets = kdop_facets(dop);
   double six_volumes = 0;
   for (const auto& facet : facets) {
@@ -233,12 +254,13 @@ double volume(const Kdop<S>& dop) {
       six_volumes += apex.dot(Vector3<double>(u.cross(v)));
     }
   }
-  return std::max(six_volumes, 0.0) / 6;
+  return std::isfinite(six_volumes) ? std::max(six_volumes, 0.0) / 6 : infinity;
 }
 
 /// The vertices of a prism's base, counter-clockwise: of a k-DOP whose normals have z = 0, such as
 /// those of plane_dop_normals(). Rounded as kdop_facets().
-/// @return nothing if the base is empty, without area or without an end
+/// @return nothing if the base is empty, without area or without an end, or as kdop_facets() for
+/// NaN and for coordinates that may exceed 1e307
 template <FloatOrDouble S>
 std::vector<Vector2<double>> plane_dop_vertices(const Kdop<S>& dop) {
   // The top of the prism that two horizontal planes make of it, as high as it is wide.
@@ -246,19 +268,21 @@ std::vector<Vector2<double>> plane_dop_vertices(const Kdop<S>& dop) {
   double size = 0;
   for (std::size_t k = 0; k < body.normals.size(); ++k) {
     body.normals[k].z() = 0;
-    size = std::max({size, std::abs(body.low[k]), std::abs(body.high[k])});
+    for (const double end : {body.low[k], body.high[k]}) {
+      if (std::isfinite(end)) size = std::max(size, std::abs(end));
+    }
   }
   body.normals.push_back(Vector3<double>::UnitZ());
   body.low.push_back(0);
   body.high.push_back(size);
   std::vector<Vector2<double>> vertices;
-  if (!(size > 0) || !std::isfinite(detail::bound_on_length(body))) return vertices;
-  std::vector<Vector3<double>> top =
-      detail::square_on({Vector3<double>::UnitZ(), 0}, 2 * detail::bound_on_length(body));
+  const double reach = detail::bound_on_length(body);
+  if (!(size > 0) || detail::is_endless(reach) || detail::has_empty_slab(body)) return vertices;
+  std::vector<Vector3<double>> top = detail::square_on({Vector3<double>::UnitZ(), 0}, 2 * reach);
   for (const detail::UnitHalfSpace& side : detail::half_spaces_of(body)) {
     if (side.normal.z() == 0) top = detail::clipped(top, side);
   }
-  top = detail::cleaned(top, 0x1p-44 * detail::bound_on_length(body));
+  top = detail::cleaned(top, 0x1p-44 * reach);
   for (const Vector3<double>& v : top) vertices.push_back(v.head<2>());
   return vertices;
 }

@@ -273,11 +273,12 @@ Rectangle<S> smallest_rectangle(std::span<const Vector2<S>> points) {
 // [/smallest-rectangle]
 
 /// Whether a point is in a rectangle, exactly, for the stored numbers. Touching counts.
-/// @return false if a number is not finite or a half length is negative
+/// @return false if a number is not finite, a half length is negative, or the axis is 0
 template <FloatOrDouble S>
 bool contains(const Rectangle<S>& rectangle, const Vector2<S>& point) {
   if (!all_finite(point) || !all_finite(rectangle.centre) || !all_finite(rectangle.axis) ||
-      !all_finite(rectangle.half_lengths) || rectangle.half_lengths.minCoeff() < S(0)) {
+      !all_finite(rectangle.half_lengths) || rectangle.half_lengths.minCoeff() < S(0) ||
+      rectangle.axis == Vector2<S>::Zero()) {
     return false;
   }
   const auto exact = [](S x) { return Exact(static_cast<double>(x)); };

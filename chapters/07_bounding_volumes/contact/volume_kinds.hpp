@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -61,41 +62,65 @@ inline constexpr std::array<VolumeKind, 10> all_volume_kinds{
     VolumeKind::hull};
 // [/volume-kinds]
 
+namespace volume_kinds_detail {
+
+/// The position of a kind in all_volume_kinds; throws if it is none of them.
+inline std::size_t index_of(VolumeKind kind) {
+  const auto at = static_cast<std::size_t>(kind);
+  if (at >= all_volume_kinds.size()) {
+    throw_invalid_argument("kind", std::to_string(static_cast<int>(kind)), "there is no such kind");
+  }
+  return at;
+}
+
+}  // namespace volume_kinds_detail
+
 /// The name of a kind, for tables.
+/// @throws std::invalid_argument if the kind is none of all_volume_kinds
 inline const char* name_of(VolumeKind kind) {
   constexpr std::array<const char*, all_volume_kinds.size()> names{
       "grown sphere", "smallest sphere", "AABB",   "object's box", "principal box",
       "smallest box", "14-DOP",          "18-DOP", "26-DOP",       "hull"};
-  return names[static_cast<std::size_t>(kind)];
+  return names[volume_kinds_detail::index_of(kind)];
 }
 
 // ---------------------------------------------------------------- volumes in m³
 
-/// 4/3 π r³, rounded.
+/// 4/3 π r³, rounded: 0 for a point, ∞ after an overflow, NaN for a radius NaN, negative for a
+/// negative radius. The centre does not matter.
 template <FloatOrDouble S>
 double volume(const Sphere<S>& sphere) {
   const auto r = static_cast<double>(sphere.radius);
   return 4 * std::numbers::pi / 3 * r * r * r;
 }
 /// The product of the edges, rounded.
+/// @return 0 if an edge is 0; else NaN if a number is NaN, ±∞ or NaN if one is infinite, and ±∞
+/// after an overflow. Each edge with low > high changes the sign.
 template <FloatOrDouble S>
 double volume(const Aabb<S>& box) {
   double product = 1;
   for (int k = 0; k < 3; ++k) {
-    product *= static_cast<double>(box.high[k]) - static_cast<double>(box.low[k]);
+    if (box.low[k] == box.high[k]) return 0;
+    product *= static_cast<double>(box.high[k]) / 2 - static_cast<double>(box.low[k]) / 2;
   }
-  return product;
+  return 8 * product;  // of halves, which do not overflow
 }
 /// Eight times the product of the half lengths and the determinant of the axes, which is nearly 1;
 /// rounded.
+/// @return 0 if a half length is 0; else NaN if one is NaN, ±∞ or NaN if one is infinite, and ±∞
+/// after an overflow. Each negative half length changes the sign. Axes that are 0 give 0, or NaN
+/// after an overflow; if they are not finite, the result is not.
 template <FloatOrDouble S>
 double volume(const OrientedBox<S>& box) {
   const Matrix3<double> axes = box.axes.template cast<double>();
   const Vector3<double> half = box.half_lengths.template cast<double>();
+  if ((half.array() == 0).any()) return 0;
   return 8 * half.x() * half.y() * half.z() * std::abs(axes.determinant());
 }
 /// The hull as a closed mesh of its own vertices. A hull of a point or a segment becomes one
-/// triangle without area, a flat one has each face twice.
+/// triangle without area, a flat one has each face twice. One of no points is a mesh without any.
+/// Coordinates are copied, also those that are not finite.
+/// @param points those that the hull was made of
 inline Mesh<double> mesh_of(const Hull& hull, std::span<const Vector3<double>> points) {
   Mesh<double> mesh;
   std::vector<int> numbers(points.size(), 0);
@@ -112,7 +137,8 @@ inline Mesh<double> mesh_of(const Hull& hull, std::span<const Vector3<double>> p
   if (hull.dimension == 1) mesh.triangles.push_back({0, 1, 1});
   return mesh;
 }
-/// The volume of a hull; 0 if it is flat.
+/// The volume of a hull; 0 if it is flat or has no vertex, NaN or ±∞ if a coordinate of its
+/// vertices is not finite or a product of three of them overflows (beyond about 1e102).
 inline double volume(const Hull& hull, std::span<const Vector3<double>> points) {
   return mesh_volume(mesh_of(hull, points)).value;
 }
@@ -122,6 +148,8 @@ inline double volume(const Hull& hull, std::span<const Vector3<double>> points) 
 /// the other. Exact for the stored vertices; touching counts.
 /// @param a, b trees over closed and oriented meshes of one component each, also concave ones. If
 /// the surfaces do not meet, all of one is on one side of the other, so one vertex decides.
+/// @return false if a mesh has no triangles. A triangle with a coordinate that is not finite counts
+/// as missing, so that the mesh is open; with all of them missing the result is false.
 inline bool solids_meet(const MeshTree<double>& a, const MeshTree<double>& b) {
   if (a.mesh().triangles.empty() || b.mesh().triangles.empty()) return false;
   if (any_meeting(a, b)) return true;
@@ -195,7 +223,8 @@ inline BoundingVolume::Shape shape_of(VolumeKind kind, std::span<const Vector3<d
 /// The bounding volume of a kind around points in the object's frame: it contains every point.
 /// @param points n ≥ 1 points, m, finite
 /// @throws std::invalid_argument if there is no point, or an entry is not finite, or the volume
-/// overflows; a k-DOP does not, its bounds become infinite
+/// overflows; a k-DOP does not, its bounds become infinite. Also if the kind is none of
+/// all_volume_kinds
 inline BoundingVolume bounding_volume(VolumeKind kind, std::span<const Vector3<double>> points) {
   if (points.empty()) throw_invalid_argument("points", "{}", "a volume needs at least one point");
   for (const Vector3<double>& point : points) require_finite("points", point);
@@ -219,7 +248,8 @@ inline BoundingVolume bounding_volume(VolumeKind kind, std::span<const Vector3<d
 /// every point, for the frame as stored. The vertices of a hull are rounded: it contains the exact
 /// image if nothing was rounded, else all but a few u of the coordinates.
 /// @param frame with nearly orthonormal axes
-/// @throws std::invalid_argument if the frame does not satisfy this, or the volume overflows
+/// @throws std::invalid_argument if the frame is not finite, the volume overflows, or an oriented
+/// box is carried and the frame is not nearly orthonormal
 inline BoundingVolume carried(const BoundingVolume& volume, const CoordinateFrame<double>& frame) {
   using Shape = BoundingVolume::Shape;
   const auto& extremes = volume.extremes;
@@ -246,6 +276,8 @@ inline BoundingVolume carried(const BoundingVolume& volume, const CoordinateFram
 /// Whether two volumes of one kind, in one frame, may have a point in common. If they have one, the
 /// result is true. Spheres, axis-aligned boxes and hulls are decided exactly, slabs along their own
 /// normals alone, oriented boxes within rounding.
+/// @return of degenerate or infinite shapes and NaN what may_meet() of these, or solids_meet(),
+/// does
 /// @throws std::invalid_argument if the kinds differ
 inline bool may_meet(const BoundingVolume& a, const BoundingVolume& b) {
   if (a.kind != b.kind || a.shape.index() != b.shape.index()) {
@@ -265,6 +297,8 @@ inline bool may_meet(const BoundingVolume& a, const BoundingVolume& b) {
 // [/compare-volumes]
 
 /// How large a volume is, m³, rounded. For the tightness: its ratio to that of the hull.
+/// @return as volume() of its shape: 0 if it is stored as a point or as flat; ∞ after an overflow,
+/// of a hull perhaps NaN
 inline double volume(const BoundingVolume& bounding) {
   return std::visit(
       []<class V>(const V& shape) {

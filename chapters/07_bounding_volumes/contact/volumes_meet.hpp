@@ -45,6 +45,8 @@ bool may_meet(const Sphere<S>& a, const Sphere<S>& b) {
 // [/spheres-meet]
 
 /// Whether two boxes have a point in common, as boxes_touch(). Touching counts, nothing is rounded.
+/// Infinite numbers are compared as any others. That low ≤ high is not checked: a box that is not
+/// one may meet another.
 /// @return false if a number is NaN
 template <FloatOrDouble S>
 bool may_meet(const Aabb<S>& a, const Aabb<S>& b) {

@@ -77,7 +77,9 @@ Sphere<S> welzl(std::list<Vector3<S>>& points, typename std::list<Vector3<S>>::i
 /// the points that hold the sphere already, and their determinant is 0 or noise. Use
 /// smallest_sphere().
 ///
-/// Limits: exact in exact arithmetic, if no four points of a boundary are in one plane.
+/// Limits: exact in exact arithmetic, if no four points of a boundary are in one plane. Products of
+/// up to four differences overflow beyond 1e77 (float: 1e9) and underflow below 1e-81 (float:
+/// 1e-11): the radius may then be infinite or 0, and radius and centre may be no numbers.
 /// @param points n ≥ 1 points, m, finite
 /// @throws std::invalid_argument if there is no point, or a coordinate is not finite
 ///
