@@ -871,11 +871,17 @@ def tell_what_is_touched() -> None:
     if files is None:
         print("git does not tell what this landing changed: the turn alone says what is taken")
         return
-    found = touched.touched_by(files, touched.this_book())
-    os.environ["CONTACT_TOUCHED"] = touched.as_json(found)
+    book = touched.this_book()
+    taken, by_turn = touched.narrowed(touched.touched_by(files, book), book)
+    os.environ["CONTACT_TOUCHED"] = touched.as_json(taken)
     print(f"Always taken is what {len(files)} files touch that have changed since {base}:")
-    for line in touched.in_words(found):
+    for line in touched.in_words(taken):
         print(f"    {line}")
+    if by_turn:
+        print(
+            f"    They touch more than half of the chapters in {', '.join(by_turn)}: all of that "
+            "does not fit into a run, so the turn selects; CONTACT_ALL=1 takes all"
+        )
 
 
 def main() -> int:

@@ -44,6 +44,9 @@ GRADING = "grading"  # what grading does around its verdicts
 BUILDER = "builder"  # what the builder of the book does, on books made for the tests
 CODE = (HEADERS, TESTS, FIGURES, LADDER, EXERCISES)
 
+# Of so many kinds a run cannot take all chapters and end in time.
+TOO_WIDE = 3
+
 Touched = dict[str, set[str]]  # of each kind, names of chapters; "*" is all of them
 
 # Where a chapter's files are, and what such a file touches of its chapter. The first that fits.
@@ -207,6 +210,23 @@ def chapters_of(touched: Touched, book: Book) -> list[str]:
     """All chapters of which something is touched."""
     names = {name for kind in KINDS for name in touched.get(kind, ())}
     return sorted(book.builds_on if EVERYTHING in names else names & book.builds_on.keys())
+
+
+def narrowed(touched: Touched, book: Book) -> tuple[Touched, list[str]]:
+    """What a run takes of it, and the kinds of which the turn alone selects.
+
+    Wide is a kind of which the change touches more than half of the chapters. All of one or two
+    such kinds fit into a run. All of more take longer than a run may: then the turn selects their
+    chapters, and the two landings that follow take the others.
+    """
+    wide = [
+        kind
+        for kind in KINDS
+        if len(chapters_of({kind: touched.get(kind, set())}, book)) * 2 > len(book.builds_on)
+    ]
+    if len(wide) < TOO_WIDE:
+        return touched, []
+    return {kind: names for kind, names in touched.items() if kind not in wide}, wide
 
 
 def as_json(touched: Touched) -> str:

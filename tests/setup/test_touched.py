@@ -23,6 +23,7 @@ from touched import (  # noqa: E402
     base_of_landing,
     changed_since,
     chapters_of,
+    narrowed,
     read_book,
     touched_by,
 )
@@ -208,6 +209,28 @@ def test_what_lies_around_grading_and_the_book_touches_no_chapter(file: str, kin
 
 def test_an_attack_touches_itself() -> None:
     assert small("tests/grade/hostile/fork_bomb.cpp") == {"hostile": {"fork_bomb"}}
+
+
+# --- What a run takes of it -----------------------------------------------------------------------
+
+
+def test_a_run_takes_all_that_a_narrow_change_touches() -> None:
+    narrow = {
+        "tests": {"02_triangles"},
+        "figures": {EVERYTHING},
+        "page": set(CHAPTERS),
+        "tidy": {"*"},
+    }
+    assert narrowed(narrow, BOOK) == (narrow, [])
+
+
+def test_of_a_change_that_touches_nearly_everything_the_turn_selects() -> None:
+    half, more = set(CHAPTERS[: len(CHAPTERS) // 2]), set(CHAPTERS[: len(CHAPTERS) // 2 + 1])
+    wide = {"headers": half, "tests": {EVERYTHING}, "page": {EVERYTHING}, "tidy": {EVERYTHING}}
+    taken, by_turn = narrowed({**wide, "figures": more}, BOOK)
+    assert by_turn == ["tests", "figures", "page"]
+    assert taken == {"headers": half, "tidy": {EVERYTHING}}
+    assert narrowed({**wide, "figures": half}, BOOK)[1] == []
 
 
 # --- Which files have changed ---------------------------------------------------------------------
