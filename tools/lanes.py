@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import steps
-from stages import Lane, Row, Stage, Tally, result, row_from_json
+from stages import LATE, Lane, Row, Stage, Tally, result, row_from_json
 
 TEST = Path(__file__).resolve().parent / "test.py"
 # Seconds in which a stage that is stopped ends its own commands.
@@ -43,7 +43,17 @@ class Running:
             return Row(self.stage, Tally(failed=1, why=[why], names=[why]))
 
 
-def start(stage: Stage, command: Sequence[str]) -> Running:
+def environment(stage: Stage, until: float | None) -> dict[str, str]:
+    """What tools/steps.py reads: until when the stage may run, and whether it gives way."""
+    extra = {}
+    if stage.may_wait and until is not None:
+        extra["CONTACT_UNTIL"] = str(until)
+    if stage.may_wait and stage.lane is Lane.COMPILES:
+        extra["CONTACT_GIVES_WAY"] = "1"
+    return extra
+
+
+def start(stage: Stage, command: Sequence[str], until: float | None = None) -> Running:
     log, row, slices = (
         steps.LOGS / f"stage-{stage.name}.{kind}" for kind in ("log", "json", "slices")
     )
@@ -52,7 +62,7 @@ def start(stage: Stage, command: Sequence[str]) -> Running:
     with log.open("wb") as output:
         process = subprocess.Popen(
             [*command, stage.name, "--row", str(row)],
-            env={**os.environ, "CONTACT_SLICES": str(slices)},
+            env={**os.environ, "CONTACT_SLICES": str(slices), **environment(stage, until)},
             stdin=subprocess.DEVNULL,
             stdout=output,
             stderr=subprocess.STDOUT,
@@ -70,16 +80,21 @@ def next_in(lane: Lane, waiting: Sequence[Stage], unfinished: set[str]) -> Stage
 
 
 def run_all(
-    stages: Sequence[Stage], command: Sequence[str] = (sys.executable, str(TEST), "--alone")
+    stages: Sequence[Stage],
+    command: Sequence[str] = (sys.executable, str(TEST), "--alone"),
+    until: float | None = None,
 ) -> list[Row]:
-    """Their rows, in the order of `stages`. One that needs a failed one fails without running."""
+    """Their rows, in the order of `stages`. One that needs a failed one fails without running.
+
+    `until`: the moment, of time.monotonic(), from which on nothing begins that may wait.
+    """
     rows: dict[str, Row] = {}
     running: dict[Lane, Running] = {}
     try:
         while len(rows) < len(stages):
             for lane in Lane:
                 if lane not in running:
-                    start_next(lane, stages, rows, running, command)
+                    start_next(lane, stages, rows, running, command, until)
             if not running and len(rows) < len(stages):
                 raise RuntimeError("a stage needs one that comes after it")
             ended = [lane for lane, one in running.items() if one.process.poll() is not None]
@@ -101,19 +116,26 @@ def start_next(
     rows: dict[str, Row],
     running: dict[Lane, Running],
     command: Sequence[str],
+    until: float | None,
 ) -> None:
     begun = rows.keys() | {one.stage.name for one in running.values()}
     waiting = [stage for stage in stages if stage.name not in begun]
     unfinished = {stage.name for stage in stages} - rows.keys()
     while stage := next_in(lane, waiting, unfinished):
         failed = [need for need in stage.needs if need in rows and rows[need].tally.failed]
-        if not failed:
+        missing = [need for need in stage.needs if need in rows and rows[need].cut_short]
+        over = stage.may_wait and until is not None and time.monotonic() >= until
+        if not failed and not missing and not over:
             print(f"{stage.name}: {stage.what}")
-            running[lane] = start(stage, command)
+            running[lane] = start(stage, command, until)
             return
-        why = f"{stage.name} was not run: it needs {failed[0]}, which failed"
+        if failed:
+            why = f"{stage.name} was not run: it needs {failed[0]}, which failed"
+            rows[stage.name] = Row(stage, Tally(failed=1, why=[why], names=[why]))
+        else:
+            why = f"{stage.name} was not run: {'it needs ' + missing[0] if missing else LATE}"
+            rows[stage.name] = Row(stage, Tally(skipped=1, why=[why]), cut_short=True)
         print(f"    {why}")
-        rows[stage.name] = Row(stage, Tally(failed=1, why=[why], names=[why]))
         waiting.remove(stage)
         unfinished.remove(stage.name)
 

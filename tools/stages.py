@@ -12,6 +12,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
+import steps
 from sample import chapters_asked_for, turn
 from slices import Slice, read_slices, slice_in_words
 
@@ -37,6 +38,9 @@ class Tally:
 
 Check = Callable[[float], Tally]  # takes the seconds that are left
 
+# Why something was not run, if $CONTACT_MINUTES said how long the run may take.
+LATE = "for which this run had no time"
+
 
 class Lane(Enum):
     """One stage of each lane runs at a time, so two cores always have something to do."""
@@ -53,6 +57,8 @@ class Stage:
     checks: Callable[[], Iterator[Check]]
     needs: tuple[str, ...] = ()
     lane: Lane = Lane.COMPILES
+    # When the minutes that a run has are over, it does not begin, or is stopped: not a failure.
+    may_wait: bool = False
 
 
 @dataclass
@@ -64,9 +70,10 @@ class Row:
     seconds: float = 0.0
     used: float = 0.0
     slices: dict[str, Slice] = field(default_factory=dict)
+    cut_short: bool = False  # by the end of the run: what it was to build may not be there
 
     def as_json(self) -> str:
-        said = {name: getattr(self, name) for name in ("seconds", "used")}
+        said = {name: getattr(self, name) for name in ("seconds", "used", "cut_short")}
         slices = {what: asdict(of) for what, of in self.slices.items()}
         return json.dumps({**said, "tally": asdict(self.tally), "slices": slices})
 
@@ -74,7 +81,8 @@ class Row:
 def row_from_json(stage: Stage, text: str) -> Row:
     said: dict[str, Any] = json.loads(text)
     slices = {what: Slice(**of) for what, of in said["slices"].items()}
-    return Row(stage, Tally(**said["tally"]), said["seconds"], said["used"], slices)
+    times = (said["seconds"], said["used"])
+    return Row(stage, Tally(**said["tally"]), *times, slices, said.get("cut_short", False))
 
 
 def processor_seconds() -> float:
@@ -91,6 +99,9 @@ def run_stage(stage: Stage) -> Row:
     try:
         for check in stage.checks():
             left = stage.minutes * 60 - (time.monotonic() - began)
+            if steps.run_is_over():
+                tally.add(Tally(skipped=1, why=[f"not run: the rest of {stage.name}, {LATE}"]))
+                break
             if left <= 0:
                 why = f"no time was left of {stage.minutes:g} minutes"
                 tally.add(Tally(failed=1, why=[why], names=[f"{stage.name}: {why}"]))
@@ -107,7 +118,8 @@ def run_stage(stage: Stage) -> Row:
     slices = read_slices(Path(os.environ["CONTACT_SLICES"]))
     # What waits for another turn was not run.
     tally.skipped += sum(len(of.left) for of in slices.values())
-    return Row(stage, tally, time.monotonic() - began, processor_seconds() - used, slices)
+    times = (time.monotonic() - began, processor_seconds() - used)
+    return Row(stage, tally, *times, slices, steps.run_is_over())
 
 
 def result(tally: Tally) -> str:
@@ -138,6 +150,8 @@ def closing_table(rows: Sequence[Row], clock: float, limit: float) -> Tally:
             for what, of in row.slices.items():
                 print(slice_in_words(what, of))
         print()
+    if late := [row.stage.name for row in rows if row.cut_short]:
+        print(f"Not run, or not to the end, because the run's time was over: {', '.join(late)}\n")
     for name in total.names:
         print(f"failed: {name}")
     print(f"{total.passed} passed, {total.failed} failed, {total.skipped} skipped")

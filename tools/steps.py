@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,7 +25,7 @@ SITE = BUILD / "site"
 EBOOK = SITE / "contact-hours.epub"
 PROGRAM = DEV / "bin" / "contact"
 # Seconds after which a step hangs rather than works, on any machine.
-STEP_LIMIT = 1200.0
+STEP_LIMIT = 3600.0
 # How a fetching script ends where what it fetches cannot be had.
 CANNOT_BE_HAD = 3
 
@@ -98,6 +98,28 @@ def stop(process: subprocess.Popen[bytes]) -> None:
         return
 
 
+def seconds_of_run() -> float:
+    """How long this stage may still run: $CONTACT_UNTIL, if the run gave it a moment to end at."""
+    until = os.environ.get("CONTACT_UNTIL")
+    return float(until) - time.monotonic() if until else float("inf")
+
+
+def run_is_over() -> bool:
+    return seconds_of_run() <= 0
+
+
+def give_way(process: subprocess.Popen[bytes]) -> None:
+    """Lets what runs beside this command have a processor first, if $CONTACT_GIVES_WAY is set.
+
+    The command is a session of its own, and Linux shares processors among sessions.
+    """
+    if not os.environ.get("CONTACT_GIVES_WAY"):
+        return
+    with suppress(OSError):
+        os.setpriority(os.PRIO_PGRP, process.pid, 10)
+        Path(f"/proc/{process.pid}/autogroup").write_text("10")
+
+
 def run(
     command: Sequence[str | Path],
     log: str,
@@ -106,7 +128,13 @@ def run(
     limit: float | None = None,
     extra: Mapping[str, str] | None = None,
 ) -> Done:
-    """Runs a command, its output in build/logs/LOG.log; ends it when `limit` seconds are over."""
+    """Runs a command, its output in build/logs/LOG.log; ends it when `limit` seconds are over.
+
+    It ends too when the time of the run is over (seconds_of_run()).
+    """
+    left = seconds_of_run()
+    if limit is None or left < limit:
+        limit = None if left == float("inf") else max(0.1, left)
     LOGS.mkdir(parents=True, exist_ok=True)
     path = LOGS / f"{log}.log"
     began = time.monotonic()
@@ -127,6 +155,7 @@ def run(
             output.flush()
             return Done(127, path.read_text(), time.monotonic() - began, path)
         CHILDREN.start(process)
+        give_way(process)
         try:
             code = process.wait(limit)
         except subprocess.TimeoutExpired:

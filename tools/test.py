@@ -32,7 +32,7 @@ import page_parts
 import steps
 import touched
 from sample import chapters_asked_for, sample
-from stages import Check, Lane, Stage, Tally, closing_table, run_stage
+from stages import LATE, Check, Lane, Stage, Tally, closing_table, run_stage
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
 from wrong_answers import write_whole  # where touched finds the registry's writer
 
@@ -48,9 +48,18 @@ def log_name(what: str) -> str:
     return "test-" + re.sub(r"[^a-z0-9]+", "-", what.lower()).strip("-")
 
 
+def cut_off(what: str, done: Done) -> Tally | None:
+    """What says that the end of the run stopped it; nothing, if something else did."""
+    if done.code is None and steps.run_is_over():
+        return Tally(skipped=1, why=[f"not run to its end: {what}, {LATE}"], explained=True)
+    return None
+
+
 def one_test(what: str, done: Done) -> Tally:
     if done.ok:
         return Tally(passed=1)
+    if cut := cut_off(what, done):
+        return cut
     return Tally(failed=1, why=[explain(what, done)], names=[what])
 
 
@@ -73,6 +82,8 @@ def counted(
 
     def check(seconds: float) -> Tally:
         done = steps.run(command, log_name(what), cwd=cwd, limit=seconds)
+        if cut := cut_off(what, done):
+            return cut
         tally = count(done)
         if tally is None:
             why = explain(f"{what} reported no counts and", done)
@@ -233,8 +244,10 @@ def node_tests(
         yield side_by_side([one(file) for file in longest])
 
 
-def ctest(preset: str, *more: str) -> Check:
-    file = BUILD / "logs" / f"test-ctest-{preset}.junit.xml"
+def ctest(preset: str, *more: str, name: str = "") -> Check:
+    """`name`: of these tests, where the preset has others too."""
+    what = f"ctest {preset} {name}".strip()
+    file = BUILD / "logs" / f"{log_name(what)}.junit.xml"
     jobs = str(os.cpu_count() or 2)
     command = [
         "ctest",
@@ -247,7 +260,7 @@ def ctest(preset: str, *more: str) -> Check:
         str(file),
         *more,
     ]
-    return counted(f"ctest {preset}", command, count_junit(file))
+    return counted(what, command, count_junit(file))
 
 
 def cmake_build(preset: str, *targets: str) -> Iterator[Check]:
@@ -265,6 +278,8 @@ def build_of(preset: str, *targets: str) -> Check:
                 limit=seconds,
             )
         tally = one_test(f"building {preset}", done)
+        if not tally.failed:
+            return tally
         errors = [line for line in done.output.splitlines() if re.search(r"error:|FAILED:", line)]
         tally.why = ["\n".join([*errors[:12], why]) for why in tally.why]
         return tally
@@ -372,11 +387,7 @@ def with_tests() -> list[str]:
 
 
 def native() -> Iterator[Check]:
-    """Everything; of headers that must compile alone, examples, ladders and tests as optimised, a
-    third a turn.
-
-    All tests of references are built and run under sanitizers.
-    """
+    """What every run needs; of one chapter alone, all that is made of it."""
     if asked := chapters_asked_for():
         yield once("configure dev", ["cmake", "--preset", "dev"])
         kinds = (*KINDS_OF_TESTS, "example", "figure", "ladder", "headers_alone")
@@ -386,14 +397,24 @@ def native() -> Iterator[Check]:
             names += [f"exercise_{slug}_{toml.parent.name}" for toml in exercises]
         yield build_of("dev", "contact", "contact-authors", *names)
         return
+    yield from cmake_build("dev", "all_but_turns")
+
+
+def plain() -> Iterator[Check]:
+    """Of headers that must compile alone, examples, ladders and tests as optimised, a third a turn.
+
+    All tests of references are built and run under sanitizers.
+    """
     chapters = sorted(folder.parent.name for folder in ROOT.glob("chapters/*/contact"))
     alone = [
         f"headers_alone_{slug}" for slug in sample(chapters, 3, "headers alone", kind="headers")
     ]
-    plain = [f"{kind}_{slug}" for slug in plain_tests("") for kind in KINDS_OF_TESTS]
-    plain += [f"ladder_{slug}" for slug in page_parts.chapters_of("ladder")]
-    plain += [name for slug in with_examples("") for name in examples_of(slug)]
-    yield from cmake_build("dev", "all_but_turns", *plain, *alone)
+    tests, examples = plain_tests("tests without sanitizers"), with_examples("examples")
+    names = [f"{kind}_{slug}" for slug in tests for kind in KINDS_OF_TESTS]
+    names += [f"ladder_{slug}" for slug in page_parts.chapters_of("ladder")]
+    names += [name for slug in examples for name in examples_of(slug)]
+    yield build_of("dev", *names, *alone)
+    yield ctest("dev", "--tests-regex", tests_as_optimised(tests, examples), name="plain")
 
 
 def plain_tests(what: str) -> list[str]:
@@ -411,6 +432,14 @@ def examples_of(slug: str) -> list[str]:
     return [f"example_{slug}_{file.stem}" for file in ROOT.glob(f"chapters/{slug}/examples/*.cpp")]
 
 
+def tests_as_optimised(tests: Sequence[str], examples: Sequence[str]) -> str:
+    """A pattern of the names that CTest gives to them."""
+    return (
+        rf"^(reference_tests_({'|'.join(tests)}):|hard_cases_({'|'.join(tests)})$"
+        rf"|example_({'|'.join(examples)})_)"
+    )
+
+
 def tests_of(chapters: Sequence[str]) -> str:
     """A pattern of the names that CTest gives to all tests of these chapters."""
     slugs = "|".join(chapters)
@@ -424,17 +453,8 @@ def native_tests() -> Iterator[Check]:
         yield ctest("dev", "--tests-regex", tests_of(asked))
         yield from what_pages_tell("dev", asked)
         return
-    taken = {
-        "|".join(KINDS_OF_TESTS): plain_tests("tests without sanitizers"),
-        "example": with_examples("chapters whose examples run"),
-    }
-    # Each chapter has tests; what a chapter has none of is not left out.
-    left_out = [
-        rf"({kinds})_({'|'.join(others)})(:|_|$)"
-        for kinds, slugs in taken.items()
-        if (others := sorted(set(with_tests()) - set(slugs)))
-    ]
-    yield ctest("dev", *(["--exclude-regex", f"^({'|'.join(left_out)})"] if left_out else []))
+    # Those are tests of the stage plain.
+    yield ctest("dev", "--exclude-regex", rf"^({'|'.join(KINDS_OF_TESTS)}|example)_")
 
 
 def without_reports(preset: str) -> None:
@@ -453,11 +473,19 @@ def what_pages_tell(preset: str, chapters: Sequence[str]) -> Iterator[Check]:
 
 
 def sanitize() -> Iterator[Check]:
-    """All of them in every run."""
-    yield from cmake_build("sanitize", "all")
+    """All of them in every run, a chapter after the other.
+
+    Those of the turn come first: where a run ends before them all, the others come in the next two.
+    """
+    yield once("configure sanitize", ["cmake", "--preset", "sanitize"])
     without_reports("sanitize")
-    yield ctest("sanitize")
-    yield from what_pages_tell("sanitize", with_tests())
+    first = sample(with_tests(), 3, "", kind="tests")
+    yield build_of("sanitize", "support_tests")
+    yield ctest("sanitize", "--exclude-regex", r"^(reference_tests|hard_cases)_")
+    for slug in [*first, *(slug for slug in with_tests() if slug not in first)]:
+        yield build_of("sanitize", *(f"{kind}_{slug}" for kind in KINDS_OF_TESTS))
+        yield ctest("sanitize", "--tests-regex", tests_of([slug]), name=slug)
+        yield from what_pages_tell("sanitize", [slug])
 
 
 def tidy() -> Iterator[Check]:
@@ -735,6 +763,7 @@ READS = {
     for name, pattern in {
         "native": r"(cli|grading|cmake|benchmarks)/|CMake|tests/(support|CMakeLists)",
         "ctest": r"(grading|cmake)/|CMake|tests/(support|grading|CMakeLists)",
+        "plain": r"cmake/|CMake|tests/(support|CMakeLists)",
         "dev-check": r"(grading|cli|cmake)/|tests/support/",
         "program": r"(cli|grading|cmake)/|tests/cli/",
         "grade": r"(cli|grading|cmake)/|tests/(grade|grading)/",
@@ -751,20 +780,21 @@ READS = {
 BEYOND_CHAPTERS = tuple(name for name in READS if name != "tidy")
 
 # The minutes are where a stage is stopped on a busy machine; all of them together take far less.
-# Those of one lane run in this order, beside those of the other.
+# Those of one lane run in this order, beside those of the other. First those that every run has,
+# then those that may wait for another run where $CONTACT_MINUTES, the time of a run, is over.
 STAGES = (
     Stage(
         "style",
         "format, linters and types of C++, Python, TypeScript and shell",
-        4,
+        10,
         style,
         lane=Lane.WAITS,
     ),
-    Stage("native", "configure and build everything; headers alone", 40, native),
+    Stage("native", "configure and build what every run needs", 80, native),
     Stage(
         "ctest",
-        "examples, contracts, the grading library; references and hard cases as users have them",
-        10,
+        "contracts, the grading library, support of tests",
+        20,
         native_tests,
         ("native",),
         Lane.WAITS,
@@ -772,35 +802,68 @@ STAGES = (
     Stage(
         "dev-check",
         "stubs, solutions, wrong answers and null answers",
-        25,
+        50,
         dev_check,
         ("native",),
         Lane.WAITS,
     ),
-    Stage("program", "the contact program from outside", 15, program, ("native",), Lane.WAITS),
     Stage(
         "grade",
         "submissions that nobody trusts: boxes, marks, reports",
-        35,
+        70,
         grade,
         ("native",),
         Lane.WAITS,
     ),
     Stage(
-        "outside", "set-up; the headers in another project", 12, outside, ("native",), Lane.WAITS
+        "outside", "set-up; the headers in another project", 24, outside, ("native",), Lane.WAITS
     ),
-    Stage("ladder", "ladders at a small size", 4, ladder, ("native",), Lane.WAITS),
-    Stage("page", "the page's scripts, figures and ladders in WebAssembly", 25, page, ("native",)),
-    Stage("wasm", "the compiler in the page, and the exercises for it", 35, wasm, ("native",)),
-    Stage("book", "the book without a warning, and served", 25, book, ("page", "wasm")),
-    Stage("browser", "the book in a real browser", 40, browser, ("book",), Lane.WAITS),
-    Stage("sanitize", "references against the oracle, hard cases, questions", 40, sanitize),
+    Stage(
+        "program", "the contact program from outside", 30, program, ("native",), Lane.WAITS, True
+    ),
+    Stage(
+        "sanitize",
+        "references against the oracle, hard cases, questions",
+        80,
+        sanitize,
+        may_wait=True,
+    ),
+    Stage(
+        "plain",
+        "tests and examples as users have them; headers alone",
+        40,
+        plain,
+        ("native",),
+        may_wait=True,
+    ),
+    Stage("ladder", "ladders at a small size", 10, ladder, ("plain",), Lane.WAITS, True),
+    Stage(
+        "page",
+        "the page's scripts, figures and ladders in WebAssembly",
+        60,
+        page,
+        ("native",),
+        may_wait=True,
+    ),
+    Stage(
+        "wasm",
+        "the compiler in the page, and the exercises for it",
+        70,
+        wasm,
+        ("native",),
+        may_wait=True,
+    ),
+    Stage(
+        "book", "the book without a warning, and served", 50, book, ("page", "wasm"), may_wait=True
+    ),
+    Stage("browser", "the book in a real browser", 80, browser, ("book",), Lane.WAITS, True),
     Stage(
         "tidy",
         "clang-tidy over the reference headers and the library that judges",
-        25,
+        50,
         tidy,
         ("native",),
+        may_wait=True,
     ),
 )
 
@@ -884,6 +947,20 @@ def tell_what_is_touched() -> None:
         )
 
 
+def end_of_run(began: float) -> float | None:
+    """The moment at which what may wait ends."""
+    given = os.environ.get("CONTACT_MINUTES")
+    if not given:
+        return None
+    try:
+        minutes = float(given)
+    except ValueError:
+        minutes = -1.0
+    if not minutes > 0:
+        sys.exit(f"contact: CONTACT_MINUTES must be a number of minutes, and is {given[:40]!r}")
+    return began + 60 * minutes
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(
         prog="./contact test", description="Runs every check there is."
@@ -912,7 +989,7 @@ def main() -> int:
     steps.LOGS.mkdir(parents=True, exist_ok=True)
     stages = chosen(arguments.names, arguments.since)
     began = time.monotonic()
-    rows = lanes.run_all(stages)
+    rows = lanes.run_all(stages, until=end_of_run(began))
     total = closing_table(rows, time.monotonic() - began, WHOLE_MINUTES * 60)
     return 1 if total.failed else 0
 

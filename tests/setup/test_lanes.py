@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -18,7 +21,21 @@ sys.path.insert(0, str(ROOT / "tools"))
 import lanes  # noqa: E402
 import steps  # noqa: E402
 from slices import Slice  # noqa: E402
-from stages import Check, Lane, Row, Stage, Tally, row_from_json  # noqa: E402
+from stages import LATE, Check, Lane, Row, Stage, Tally, row_from_json, run_stage  # noqa: E402
+
+
+def load() -> ModuleType:
+    # By its path: Python has a package of that name.
+    spec = importlib.util.spec_from_file_location("contact_test", ROOT / "tools" / "test.py")
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["contact_test"] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+checks = load()
 
 # A stage of these tests: says when it began and ended, and fails if its name says so.
 PROGRAM = """
@@ -161,3 +178,57 @@ def lives(process: int) -> bool:
         time.sleep(0.05)
     os.kill(process, signal.SIGKILL)
     return True
+
+
+# --- A run that has only so much time -------------------------------------------------------------
+
+
+def test_what_may_wait_does_not_begin_when_the_time_of_the_run_is_over(logs: Path) -> None:
+    command = (sys.executable, "-c", PROGRAM, str(logs))
+    stages = [
+        stage("every_run"),
+        replace(stage("late"), may_wait=True),
+        stage("needs_it", "late", lane=Lane.WAITS),
+    ]
+    rows = {row.stage.name: row for row in lanes.run_all(stages, command, until=time.monotonic())}
+    assert rows["every_run"].tally == Tally(passed=1)
+    assert not (logs / "late.began").exists()
+    assert rows["late"].tally.why == [f"late was not run: {LATE}"]
+    # What needs it is not run either, and has not failed.
+    assert rows["needs_it"].tally.why == ["needs_it was not run: it needs late"]
+    assert [row.tally.skipped for row in rows.values()] == [0, 1, 1]
+    assert [row.tally.failed for row in rows.values()] == [0, 0, 0]
+
+
+def test_only_what_may_wait_is_told_when_the_run_ends() -> None:
+    assert lanes.environment(stage("every_run"), 5.0) == {}
+    assert lanes.environment(stage("every_run"), None) == {}
+    late = replace(stage("late"), may_wait=True)
+    assert lanes.environment(late, 5.0) == {"CONTACT_UNTIL": "5.0", "CONTACT_GIVES_WAY": "1"}
+    beside = replace(late, lane=Lane.WAITS)
+    assert lanes.environment(beside, 5.0) == {"CONTACT_UNTIL": "5.0"}
+
+
+def test_a_command_that_the_end_of_the_run_stops_has_not_failed(
+    logs: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CONTACT_SLICES", str(logs / "slices"))
+    monkeypatch.setenv("CONTACT_UNTIL", str(time.monotonic() + 0.5))
+    never = checks.once("sleeping", ["sleep", "60"], cwd=logs)
+    late = Stage("late", "", 1, lambda: iter([never, never]), may_wait=True)
+    row = run_stage(late)
+    assert row.cut_short
+    assert row.tally.failed == 0
+    assert row.tally.skipped == 2
+    assert row.tally.why[0] == f"not run to its end: sleeping, {LATE}"
+
+
+def test_what_fails_before_the_end_of_the_run_has_failed(
+    logs: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CONTACT_SLICES", str(logs / "slices"))
+    monkeypatch.setenv("CONTACT_UNTIL", str(time.monotonic() + 60))
+    monkeypatch.setattr(checks, "ROOT", logs)
+    row = run_stage(Stage("a", "", 1, lambda: iter([checks.once("wrong", ["false"], cwd=logs)])))
+    assert row.tally.failed == 1
+    assert not row.cut_short

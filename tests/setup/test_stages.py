@@ -149,34 +149,49 @@ def test_a_file_is_checked_by_the_stage_that_reads_it(
 # --- What is built in a turn ----------------------------------------------------------------------
 
 
-def built_and_left_out(turn: int, monkeypatch: pytest.MonkeyPatch) -> tuple[set[str], str]:
-    """The targets of the stage `native`, and the tests that `ctest` leaves out."""
+def built_and_run(turn: int, monkeypatch: pytest.MonkeyPatch) -> tuple[set[str], str]:
+    """The targets of the stage plain, and the pattern of the tests that it runs."""
     monkeypatch.setenv("CONTACT_TURN", str(turn))
-    monkeypatch.setattr(checks, "cmake_build", lambda _preset, *targets: iter(targets))
-    monkeypatch.setattr(checks, "ctest", lambda _preset, *words: words)
-    [words] = checks.native_tests()
-    return set(checks.native()), words[1] if words else "nothing"
+    monkeypatch.setattr(checks, "build_of", lambda _preset, *targets: targets)
+    monkeypatch.setattr(checks, "ctest", lambda _preset, *words, **_: words)
+    built, words = checks.plain()
+    return set(built), words[1]
 
 
-def test_what_runs_natively_is_what_is_built(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_runs_as_optimised_is_what_is_built(monkeypatch: pytest.MonkeyPatch) -> None:
     examples = {
         f"example_{file.parts[-3]}_{file.stem}" for file in ROOT.glob("chapters/*/examples/*.cpp")
     }
     ladders = {f"ladder_{file.parent.name}" for file in ROOT.glob("chapters/*/ladder.cpp")}
     tests = {f"{kind}_{slug}" for kind in checks.KINDS_OF_TESTS for slug in checks.with_tests()}
+    of_ctest = {f"{name}: a case" for name in tests if name.startswith("reference")}
+    of_ctest |= examples | {name for name in tests if name.startswith("hard")}
     seen: list[str] = []
     for turn in (41, 42, 43):
-        built, left_out = built_and_left_out(turn, monkeypatch)
-        assert "all_but_turns" in built
+        built, run = built_and_run(turn, monkeypatch)
         of_turns = built & (examples | ladders | tests)
         assert 0 < len(of_turns) < len(examples | ladders | tests) / 2
         seen += of_turns
-        for program in examples | tests:
-            for name in (program, f"{program}: a case", f"{program}_NOT_BUILT"):
-                assert (re.match(left_out, name) is None) == (program in built), name
-        for name in ("contract_linked_02_triangles_ray_triangle", "grading_tests: a case"):
-            assert re.match(left_out, name) is None
+        for test in of_ctest:
+            assert bool(re.match(run, test)) == (test.split(":")[0] in built), test
     assert sorted(seen) == sorted(examples | ladders | tests)
+
+
+def test_what_runs_by_turns_is_left_out_of_what_every_run_has(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(checks, "cmake_build", lambda _preset, *targets: iter(targets))
+    monkeypatch.setattr(checks, "ctest", lambda _preset, *words: words)
+    assert list(checks.native()) == ["all_but_turns"]
+    [words] = checks.native_tests()
+    for name in (
+        "reference_tests_01_planes: a case",
+        "hard_cases_01_planes",
+        "example_01_planes_a",
+    ):
+        assert re.match(words[1], name)
+    for name in ("contract_linked_02_triangles_ray_triangle", "grading_tests: a case"):
+        assert not re.match(words[1], name)
 
 
 # --- What a failed test says ---------------------------------------------------------------------
