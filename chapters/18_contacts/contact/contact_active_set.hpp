@@ -46,7 +46,7 @@ bool refine(const Factors& eliminated, const ImpulseRows<S>& problem,
   if (eliminated.info() != Eigen::Success) return false;
   S last = std::numeric_limits<S>::infinity();
   for (int round = 0; round < 8; ++round) {
-    const Numbers<S> wrong = problem.matrix * y + problem.constant;
+    const Numbers<S> wrong = problem.matrix.transpose() * y + problem.constant;  // symmetric
     Numbers<S> right(eliminated.rows());
     for (std::size_t r = 0; r < chosen.size(); ++r)
       if (chosen[r]) right(number[r]) = -wrong(static_cast<Eigen::Index>(r));
@@ -75,7 +75,8 @@ bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, N
     if (chosen[r]) number[r] = rows++;
   if (rows == 0) return true;
   const S little = S(0x1p16) * std::numeric_limits<S>::epsilon();
-  Eigen::SparseMatrix<S> part(rows, rows);  // on and below the diagonal
+  using Part = Eigen::SparseMatrix<S, Eigen::ColMajor, Eigen::Index>;
+  Part part(rows, rows);  // on and above the diagonal
   part.reserve(problem.matrix.nonZeros() / 2 + rows);
   for (int k = 0; k < problem.matrix.outerSize(); ++k) {
     const int column = number[static_cast<std::size_t>(k)];
@@ -83,18 +84,18 @@ bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, N
     part.startVec(column);
     for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
       const int row = number[static_cast<std::size_t>(it.row())];
-      if (row >= column)
+      if (row >= 0 && row <= column)
         part.insertBack(row, column) = row == column ? it.value() + little : it.value();
     }
   }
   part.finalize();
-  // Few rows are eliminated in the order of the list: another would cost more than it saves.
+  // Few rows are eliminated in the order of the list: another would cost more than it saves. With
+  // this index and this triangle Eigen then reads the part without a copy.
   if (rows <= max_rows_in_order)
     return refine<S>(
-        Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>, Eigen::Lower, Eigen::NaturalOrdering<int>>(
-            part),
+        Eigen::SimplicialLDLT<Part, Eigen::Upper, Eigen::NaturalOrdering<Eigen::Index>>(part),
         problem, chosen, number, y);
-  return refine<S>(Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>>(part), problem, chosen, number, y);
+  return refine<S>(Eigen::SimplicialLDLT<Part, Eigen::Upper>(part), problem, chosen, number, y);
 }
 // [/eliminate]
 
@@ -259,7 +260,6 @@ template <std::floating_point S>
 std::optional<SolvedContacts<S>> solve_active_set_of(
     const std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& prepared,
     const std::vector<ContactImpulse<S>>& start, FrictionLaw law, const S& tolerance) {
-  const std::vector<PreparedContact<S>> soft = softened(prepared);
   S fastest(0);
   for (const PreparedContact<S>& p : prepared)
     fastest = std::max(fastest, std::abs(contact_velocity<S>(bodies, p.contact)));
@@ -271,45 +271,48 @@ std::optional<SolvedContacts<S>> solve_active_set_of(
   const auto jams = [&](const ImpulseComponents<S>& impulse) {
     return has_friction && impulse[0] > S(max_leverage) * fastest * mass;
   };
-  const auto closing = [&](const std::vector<ImpulseComponents<S>>& impulses,
+  const auto closing = [&](const std::vector<RigidBody<S>>& after,
                            const std::vector<PreparedContact<S>>& wanted) {
-    const auto after = after_impulses<S>(bodies, prepared, impulses);
     S most(0);
     for (const PreparedContact<S>& p : wanted)
       most = std::max(most, p.contact.min_velocity - contact_velocity<S>(after, p.contact));
     return most;
   };
-  const auto before = clamped_impulses<S>(prepared, start);
-  const auto better = [&](const std::vector<PreparedContact<S>>& wanted)
-      -> std::optional<std::vector<ImpulseComponents<S>>> {
+  struct Found {
+    std::vector<ImpulseComponents<S>> impulses;
+    bool makes_energy = false;
+  };
+  const auto better = [&](const std::vector<PreparedContact<S>>& wanted) -> std::optional<Found> {
     const auto found = active_set_of<S>(bodies, wanted, start, law);
     if (!found) return std::nullopt;
-    auto impulses_found = clamped_impulses<S>(prepared, *found);
-    if (std::any_of(impulses_found.begin(), impulses_found.end(), jams)) return std::nullopt;
-    const S rounding = std::clamp(impulse_rounding<S>(bodies, prepared, impulses_found),
+    auto impulses = clamped_impulses<S>(prepared, *found);
+    if (std::any_of(impulses.begin(), impulses.end(), jams)) return std::nullopt;
+    const S rounding = std::clamp(impulse_rounding<S>(bodies, prepared, impulses),
                                   std::sqrt(std::numeric_limits<S>::epsilon()) * fastest,
                                   S(max_rounding) * fastest);
-    if (closing(impulses_found, wanted) > closing(before, wanted) + rounding) return std::nullopt;
-    return impulses_found;
-  };
-  const auto makes_energy = [&](const std::vector<ImpulseComponents<S>>& impulses) {
     const auto after = after_impulses<S>(bodies, prepared, impulses);
-    return energy_made<S>(bodies, after, prepared, impulses) > S(0);
+    const S left = closing(after, wanted);
+    if (left > rounding) {
+      const auto before = after_impulses<S>(bodies, prepared, clamped_impulses<S>(prepared, start));
+      if (left > closing(before, wanted) + rounding) return std::nullopt;
+    }
+    const bool makes_energy = energy_made<S>(bodies, after, prepared, impulses) > S(0);
+    return Found{std::move(impulses), makes_energy};
   };
   const auto found = better(prepared);
   if (!found) return std::nullopt;
   auto stopped = found;
-  if (makes_energy(*found)) {
-    stopped = better(soft);
-    if (!stopped || makes_energy(*stopped)) return std::nullopt;
+  if (found->makes_energy) {
+    stopped = better(softened(prepared));
+    if (!stopped || stopped->makes_energy) return std::nullopt;
   }
   auto solved = solved_by<S>(
-      bodies, prepared, *found, [&] { return *stopped; }, tolerance);
+      bodies, prepared, found->impulses, [&] { return stopped->impulses; }, tolerance);
   if (!(solved.report.rounding <= S(max_rounding) * fastest)) solved.report.settled = false;
-  for (const PreparedContact<S>& p : soft) {
+  for (const PreparedContact<S>& p : prepared) {
     solved.report.last_change =
-        std::max(solved.report.last_change,
-                 p.contact.min_velocity - contact_velocity<S>(solved.bodies, p.contact));
+        std::max(solved.report.last_change, std::min(p.contact.min_velocity, S(0)) -
+                                                contact_velocity<S>(solved.bodies, p.contact));
   }
   return solved;
 }

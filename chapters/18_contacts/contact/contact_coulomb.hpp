@@ -72,16 +72,18 @@ struct VelocitiesAndSizes {
 
 template <std::floating_point S>
 VelocitiesAndSizes<S> velocities_and_sizes(const ImpulseRows<S>& problem, const Numbers<S>& y) {
-  VelocitiesAndSizes<S> sums{Numbers<S>::Zero(y.size()), Numbers<S>::Zero(y.size())};
-  for (Eigen::Index k = 0; k < problem.matrix.outerSize(); ++k) {
+  VelocitiesAndSizes<S> sums{Numbers<S>(y.size()), Numbers<S>(y.size())};
+  for (Eigen::Index k = 0; k < problem.matrix.outerSize(); ++k) {  // a column is a row: symmetric
+    S velocity(0);
+    S size(0);
     for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
-      const S term = it.value() * y(k);
-      sums.velocities(it.row()) += term;
-      sums.sizes(it.row()) += std::abs(term);
+      const S term = it.value() * y(it.row());
+      velocity += term;
+      size += std::abs(term);
     }
+    sums.velocities(k) = velocity + problem.constant(k);
+    sums.sizes(k) = size + std::abs(problem.constant(k));
   }
-  sums.velocities += problem.constant;
-  sums.sizes += problem.constant.cwiseAbs();
   return sums;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -73,6 +74,12 @@ std::optional<std::vector<std::vector<RowOnBody<S>>>> rows_on_bodies(
     const std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& prepared,
     ImpulseRows<S>& made) {
   std::vector<std::vector<RowOnBody<S>>> of(bodies.size());
+  std::vector<std::size_t> contacts(bodies.size(), 0);
+  for (const PreparedContact<S>& p : prepared)
+    for (const int body : {p.contact.a, p.contact.b}) ++contacts[index(body)];
+  for (std::size_t body = 0; body < bodies.size(); ++body)
+    if (bodies[body].inverse_mass > S(0)) of[body].reserve(3 * contacts[body]);
+  made.rows.reserve(3 * prepared.size());
   for (std::size_t i = 0; i < prepared.size(); ++i) {
     const PreparedContact<S>& p = prepared[i];
     const BodyContact<S>& contact = p.contact;
@@ -98,6 +105,52 @@ std::optional<std::vector<std::vector<RowOnBody<S>>>> rows_on_bodies(
   return of;
 }
 
+/// What the impulses of the rows on one body do to each other through it: entry (i, k) is the
+/// scaled velocity along the i-th of them by the k-th. Symmetric to the bit.
+template <std::floating_point S>
+Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> couplings_on(const std::vector<RowOnBody<S>>& rows,
+                                                              const S& inverse_mass) {
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> block(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const RowOnBody<S>& row = rows[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k <= i; ++k) {
+      const RowOnBody<S>& earlier = rows[static_cast<std::size_t>(k)];
+      block(i, k) = block(k, i) =
+          row.along.dot(earlier.along) * inverse_mass + row.arm.dot(earlier.turn);
+    }
+  }
+  return block;
+}
+
+/// Of one body, its rows in their order and their couplings with one of them; none if it is
+/// immovable.
+template <std::floating_point S>
+struct CoupledRows {
+  const std::vector<RowOnBody<S>>* rows = nullptr;
+  const S* couplings = nullptr;
+};
+
+/// Writes a column of the matrix: its couplings on both bodies of its contact, merged.
+/// @param row, entry where the column begins in the matrix
+/// @return the number of its entries
+template <std::floating_point S>
+int write_column(const CoupledRows<S>& one, const CoupledRows<S>& two, int* row, S* entry) {
+  const std::size_t rows_one = one.rows->size();
+  const std::size_t rows_two = two.rows->size();
+  std::size_t i = 0;
+  std::size_t k = 0;
+  int written = 0;
+  for (; i < rows_one || k < rows_two; ++written) {
+    const int first = i < rows_one ? (*one.rows)[i].row : std::numeric_limits<int>::max();
+    const int second = k < rows_two ? (*two.rows)[k].row : std::numeric_limits<int>::max();
+    row[written] = std::min(first, second);
+    entry[written] = first <= second ? one.couplings[i++] : S(0);
+    if (second <= first) entry[written] += two.couplings[k++];
+  }
+  return written;
+}
+
 /// @param prepared of the same bodies
 template <std::floating_point S>
 std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodies,
@@ -109,22 +162,29 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
   for (const auto& list : *of) couplings += list.size() * list.size();
   const bool has_friction = made.rows.size() > prepared.size();
   if (couplings > (has_friction ? max_friction_couplings : max_couplings)) return std::nullopt;
-  std::vector<Eigen::Triplet<S>> entries;  // each and its mirror image: symmetric to the bit
-  entries.reserve(couplings);
-  for (std::size_t body = 0; body < bodies.size(); ++body) {
-    const std::vector<RowOnBody<S>>& list = (*of)[body];
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      for (std::size_t k = 0; k <= i; ++k) {
-        const S entry = list[i].along.dot(list[k].along) * bodies[body].inverse_mass +
-                        list[i].arm.dot(list[k].turn);
-        entries.emplace_back(list[i].row, list[k].row, entry);
-        if (i != k) entries.emplace_back(list[k].row, list[i].row, entry);
-      }
-    }
-  }
   const auto count = static_cast<Eigen::Index>(made.rows.size());
   made.matrix.resize(count, count);
-  made.matrix.setFromTriplets(entries.begin(), entries.end());
+  made.matrix.resizeNonZeros(static_cast<Eigen::Index>(couplings));  // or fewer: see below
+  std::vector<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> blocks;
+  for (std::size_t body = 0; body < bodies.size(); ++body)
+    blocks.push_back(couplings_on((*of)[body], bodies[body].inverse_mass));
+  std::vector<Eigen::Index> next(bodies.size(), 0);  // of each body, the column of its next row
+  const auto coupled = [&](std::size_t body) -> CoupledRows<S> {
+    const std::vector<RowOnBody<S>>& rows = (*of)[body];
+    return {&rows, rows.empty() ? nullptr : blocks[body].col(next[body]++).data()};
+  };
+  int written = 0;
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const BodyContact<S>& contact =
+        prepared[made.rows[static_cast<std::size_t>(r)].contact].contact;
+    const CoupledRows<S> one = coupled(index(std::min(contact.a, contact.b)));
+    const CoupledRows<S> two = coupled(index(std::max(contact.a, contact.b)));
+    made.matrix.outerIndexPtr()[r] = written;
+    written += write_column(one, two, made.matrix.innerIndexPtr() + written,
+                            made.matrix.valuePtr() + written);
+  }
+  made.matrix.outerIndexPtr()[count] = written;
+  made.matrix.resizeNonZeros(written);
   made.constant.resize(count);
   for (Eigen::Index r = 0; r < count; ++r) {
     const ImpulseRow<S>& row = made.rows[static_cast<std::size_t>(r)];

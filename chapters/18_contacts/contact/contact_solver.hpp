@@ -39,6 +39,7 @@ std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>
                                                   bool together = false,
                                                   FrictionBound bound = FrictionBound::cone) {
   std::vector<PreparedContact<S>> prepared;
+  prepared.reserve(contacts.size());
   for (const BodyContact<S>& c : contacts) {
     const int count = static_cast<int>(bodies.size());
     if (c.a < 0 || c.a >= count || c.b < 0 || c.b >= count || c.a == c.b) {
