@@ -275,7 +275,7 @@ TEST_CASE("random polygons agree with exact arithmetic") {
     }
     return made;
   };
-  for (int asked = 0; asked < 150;) {
+  for (int asked = 0; asked < 60;) {
     const Polygon a = polygon({0, 0}, random.uniform(0.5, 2));
     const Vector offset{random.uniform(-3, 3), random.uniform(-3, 3)};
     const Polygon b = polygon(offset, random.uniform(0.5, 2));
