@@ -206,7 +206,7 @@ function legend(result: LadderResult, own: boolean): string {
     byDesign ? "◆ never wrong by design" : "",
     `<strong>bold</strong>: no other method is both faster and ${better}${byDesign && decides(result) ? ", where a method without ◆ counts as less often right than one with ◆" : ""}`,
     "bar: time of one answer on a logarithmic axis, as the geometric mean over the families of inputs (the columns)",
-    "line on the bar: from the lower to the upper quartile",
+    "line on the bar: the middle half of the repeated measurements",
     "dot below the bar: the time of one family",
     own ? "dashed: this browser, in WebAssembly" : "",
   ];
