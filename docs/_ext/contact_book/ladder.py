@@ -119,9 +119,11 @@ class Ladder(BookDirective):
 
     def origin(self, data: dict[str, Any], measured: bool) -> list[nodes.Node]:
         machine = data["machine"]
+        # CMake calls it by the project's name.
+        compiler = data["compiler"].replace("GNU ", "GCC ")
         words = (
             f"Measured on {machine['cpu']} ({machine['cores']} cores, {machine['os']}) with "
-            f"{data['compiler']}, {data['date'][:10]}, on {_sizes(data)} inputs a family."
+            f"{compiler}, {data['date'][:10]}, on {_sizes(data)} inputs a family."
         )
         if not measured:
             words += (
