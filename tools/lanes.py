@@ -48,8 +48,8 @@ def environment(stage: Stage, until: float | None) -> dict[str, str]:
     extra = {}
     if stage.may_wait and until is not None:
         extra["CONTACT_UNTIL"] = str(until)
-    if stage.may_wait and stage.lane is Lane.COMPILES:
-        extra["CONTACT_GIVES_WAY"] = "1"
+        if stage.gives_way:
+            extra["CONTACT_GIVES_WAY"] = "1"
     return extra
 
 
@@ -145,7 +145,7 @@ def tell(one: Running, row: Row) -> None:
     for why in row.tally.why:
         print("\n".join(f"    {line}" for line in why.splitlines()))
     counts = f"{row.tally.passed} passed, {row.tally.failed} failed, {row.tally.skipped} skipped"
-    print(f"{row.stage.name}: {result(row.tally)} in {row.seconds:.0f} s ({counts})")
+    print(f"{row.stage.name}: {result(row)} in {row.seconds:.0f} s ({counts})")
 
 
 def stop(running: Mapping[Lane, Running]) -> None:

@@ -125,15 +125,19 @@ def ebook() -> list[steps.Step]:
 
 
 def native_figures() -> steps.Step:
-    """The native programs of the figures that loader.test.mjs compares with WebAssembly."""
+    """The native programs of the figures and ladders that tests compare with WebAssembly."""
 
     def build() -> steps.Done:
         prefixes = [f"figure_{slug}_" for slug in chapters_of("figures")]
-        return steps.build_native(
-            steps.native_targets(prefixes) if prefixes else [], "native-figures"
-        )
+        targets = steps.native_targets(prefixes) if prefixes else []
+        return steps.build_native([*targets, *ladder_targets()], "native-figures")
 
-    return steps.Step("native programs of figures", build)
+    return steps.Step("native programs of figures and ladders", build)
+
+
+def ladder_targets() -> list[str]:
+    """Of the native build, the ladders of the chapters that this run tests."""
+    return [f"ladder_{slug}" for slug in chapters_of("ladder") if slug in LADDERS]
 
 
 def everything() -> bool:

@@ -39,7 +39,7 @@ class Tally:
 Check = Callable[[float], Tally]  # takes the seconds that are left
 
 # Why something was not run, if $CONTACT_MINUTES said how long the run may take.
-LATE = "for which this run had no time"
+LATE = "the time of this run was over"
 
 
 class Lane(Enum):
@@ -59,6 +59,8 @@ class Stage:
     lane: Lane = Lane.COMPILES
     # When the minutes that a run has are over, it does not begin, or is stopped: not a failure.
     may_wait: bool = False
+    # In a run with such an end, what runs beside it has a processor first.
+    gives_way: bool = False
 
 
 @dataclass
@@ -100,7 +102,7 @@ def run_stage(stage: Stage) -> Row:
         for check in stage.checks():
             left = stage.minutes * 60 - (time.monotonic() - began)
             if steps.run_is_over():
-                tally.add(Tally(skipped=1, why=[f"not run: the rest of {stage.name}, {LATE}"]))
+                tally.add(Tally(skipped=1, why=[f"not run: the rest of {stage.name}: {LATE}"]))
                 break
             if left <= 0:
                 why = f"no time was left of {stage.minutes:g} minutes"
@@ -122,10 +124,12 @@ def run_stage(stage: Stage) -> Row:
     return Row(stage, tally, *times, slices, steps.run_is_over())
 
 
-def result(tally: Tally) -> str:
-    if tally.failed:
+def result(row: Row) -> str:
+    if row.tally.failed:
         return "FAILED"
-    return "passed" if tally.passed else "not run"
+    if not row.tally.passed:
+        return "not run"
+    return "cut short" if row.cut_short else "passed"
 
 
 def closing_table(rows: Sequence[Row], clock: float, limit: float) -> Tally:
@@ -141,7 +145,7 @@ def closing_table(rows: Sequence[Row], clock: float, limit: float) -> Tally:
         total.add(row.tally)
         numbers = (row.tally.passed, row.tally.failed, row.tally.skipped)
         times = (f"{row.seconds:.1f}", f"{row.used:.1f}", int(row.stage.minutes * 60))
-        print(line.format(row.stage.name, *times, *numbers, result(row.tally)))
+        print(line.format(row.stage.name, *times, *numbers, result(row)))
     processors = sum(row.used for row in rows)
     print(f"{'all':10} {clock:8.1f} {processors:8.1f} {limit:6.0f}\n")
     if any(row.slices for row in rows):
@@ -149,6 +153,8 @@ def closing_table(rows: Sequence[Row], clock: float, limit: float) -> Tally:
         for row in rows:
             for what, of in row.slices.items():
                 print(slice_in_words(what, of))
+            if row.slices and row.cut_short:
+                print(f"  (of these, {row.stage.name} did not reach the end)")
         print()
     if late := [row.stage.name for row in rows if row.cut_short]:
         print(f"Not run, or not to the end, because the run's time was over: {', '.join(late)}\n")

@@ -48,11 +48,22 @@ def log_name(what: str) -> str:
     return "test-" + re.sub(r"[^a-z0-9]+", "-", what.lower()).strip("-")
 
 
+# What a build and tests print of a failure before they have ended: ninja, ctest, node, pytest -q.
+FAILED_SO_FAR = re.compile(
+    r"^FAILED: |\*\*\*(?:Failed|Timeout|Exception)|^ *not ok \d|^[.sxX]*[FE][.sxXFE]* +\[ *\d+%\]$",
+    re.MULTILINE,
+)
+# No command takes so long, even on a slow machine: one that does hangs.
+HANGS_AFTER = 2400.0
+
+
 def cut_off(what: str, done: Done) -> Tally | None:
-    """What says that the end of the run stopped it; nothing, if something else did."""
-    if done.code is None and steps.run_is_over():
-        return Tally(skipped=1, why=[f"not run to its end: {what}, {LATE}"], explained=True)
-    return None
+    """What says that the end of the run stopped it; nothing, if it failed or hung before."""
+    if done.code is not None or not steps.run_is_over():
+        return None
+    if done.seconds > HANGS_AFTER or FAILED_SO_FAR.search(done.output):
+        return None
+    return Tally(skipped=1, why=[f"not run to its end: {what}: {LATE}"], explained=True)
 
 
 def one_test(what: str, done: Done) -> Tally:
@@ -211,9 +222,15 @@ def side_by_side(checks: Sequence[Check]) -> Check:
     def check(seconds: float) -> Tally:
         until = time.monotonic() + seconds
         total = Tally()
+
+        def run_one(one: Check) -> Tally:
+            if steps.run_is_over():
+                return Tally(skipped=1, why=[f"not run: {LATE}"])
+            return one(max(1.0, until - time.monotonic()))
+
         with ThreadPoolExecutor(2) as pool:
             try:
-                for tally in pool.map(lambda one: one(max(1.0, until - time.monotonic())), checks):
+                for tally in pool.map(run_one, checks):
                     total.add(tally)
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
@@ -269,15 +286,18 @@ def cmake_build(preset: str, *targets: str) -> Iterator[Check]:
     yield build_of(preset, *targets)
 
 
-def build_of(preset: str, *targets: str) -> Check:
+def build_of(preset: str, *targets: str, name: str = "") -> Check:
+    """`name`: of these targets, where others of the preset are built too."""
+    what = f"{preset} {name}".strip()
+
     def build(seconds: float) -> Tally:
         with steps.build_lock(preset):
             done = steps.run(
                 ["cmake", "--build", BUILD / preset, "--", "-k", "0", *targets],
-                log_name(f"build {preset}"),
+                log_name(f"build {what}"),
                 limit=seconds,
             )
-        tally = one_test(f"building {preset}", done)
+        tally = one_test(f"building {what}", done)
         if not tally.failed:
             return tally
         errors = [line for line in done.output.splitlines() if re.search(r"error:|FAILED:", line)]
@@ -401,20 +421,24 @@ def native() -> Iterator[Check]:
 
 
 def plain() -> Iterator[Check]:
-    """Of headers that must compile alone, examples, ladders and tests as optimised, a third a turn.
+    """Of headers that must compile alone, examples and tests as optimised, a third a turn.
 
-    All tests of references are built and run under sanitizers.
+    All tests of references are built and run under sanitizers. Chapter by chapter: who grades waits
+    while something is built.
     """
     chapters = sorted(folder.parent.name for folder in ROOT.glob("chapters/*/contact"))
     alone = [
         f"headers_alone_{slug}" for slug in sample(chapters, 3, "headers alone", kind="headers")
     ]
     tests, examples = plain_tests("tests without sanitizers"), with_examples("examples")
-    names = [f"{kind}_{slug}" for slug in tests for kind in KINDS_OF_TESTS]
-    names += [f"ladder_{slug}" for slug in page_parts.chapters_of("ladder")]
-    names += [name for slug in examples for name in examples_of(slug)]
-    yield build_of("dev", *names, *alone)
+    for slug in sorted({*tests, *examples}):
+        names = [f"{kind}_{slug}" for kind in KINDS_OF_TESTS if slug in tests]
+        names += examples_of(slug) if slug in examples else []
+        yield build_of("dev", *names, name=slug)
+    for target in alone:
+        yield build_of("dev", target, name=target)
     yield ctest("dev", "--tests-regex", tests_as_optimised(tests, examples), name="plain")
+    yield from pytest("tests/built")
 
 
 def plain_tests(what: str) -> list[str]:
@@ -480,10 +504,10 @@ def sanitize() -> Iterator[Check]:
     yield once("configure sanitize", ["cmake", "--preset", "sanitize"])
     without_reports("sanitize")
     first = sample(with_tests(), 3, "", kind="tests")
-    yield build_of("sanitize", "support_tests")
+    yield build_of("sanitize", "support_tests", name="support")
     yield ctest("sanitize", "--exclude-regex", r"^(reference_tests|hard_cases)_")
     for slug in [*first, *(slug for slug in with_tests() if slug not in first)]:
-        yield build_of("sanitize", *(f"{kind}_{slug}" for kind in KINDS_OF_TESTS))
+        yield build_of("sanitize", *(f"{kind}_{slug}" for kind in KINDS_OF_TESTS), name=slug)
         yield ctest("sanitize", "--tests-regex", tests_of([slug]), name=slug)
         yield from what_pages_tell("sanitize", [slug])
 
@@ -723,6 +747,8 @@ def book() -> Iterator[Check]:
 def ladder() -> Iterator[Check]:
     """The ladders of the turn at a small size: that they run, not what they measure."""
     taken = page_parts.chapters_of("ladder", "chapters whose ladder runs natively")
+    if targets := page_parts.ladder_targets():
+        yield build_of("dev", *targets, name="ladders")
     folder = BUILD / "logs" / "ladder"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -827,16 +853,17 @@ STAGES = (
         80,
         sanitize,
         may_wait=True,
+        gives_way=True,
     ),
     Stage(
         "plain",
         "tests and examples as users have them; headers alone",
-        40,
+        80,
         plain,
         ("native",),
         may_wait=True,
     ),
-    Stage("ladder", "ladders at a small size", 10, ladder, ("plain",), Lane.WAITS, True),
+    Stage("ladder", "ladders at a small size", 30, ladder, ("native",), Lane.WAITS, True),
     Stage(
         "page",
         "the page's scripts, figures and ladders in WebAssembly",

@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 import lanes  # noqa: E402
 import steps  # noqa: E402
 from slices import Slice  # noqa: E402
-from stages import LATE, Check, Lane, Row, Stage, Tally, row_from_json, run_stage  # noqa: E402
+from stages import LATE, Check, Lane, Row, Stage, Tally, result, row_from_json, run_stage  # noqa: E402
 
 
 def load() -> ModuleType:
@@ -204,9 +204,10 @@ def test_only_what_may_wait_is_told_when_the_run_ends() -> None:
     assert lanes.environment(stage("every_run"), 5.0) == {}
     assert lanes.environment(stage("every_run"), None) == {}
     late = replace(stage("late"), may_wait=True)
-    assert lanes.environment(late, 5.0) == {"CONTACT_UNTIL": "5.0", "CONTACT_GIVES_WAY": "1"}
-    beside = replace(late, lane=Lane.WAITS)
-    assert lanes.environment(beside, 5.0) == {"CONTACT_UNTIL": "5.0"}
+    assert lanes.environment(late, 5.0) == {"CONTACT_UNTIL": "5.0"}
+    beside = replace(late, gives_way=True)
+    assert lanes.environment(beside, 5.0) == {"CONTACT_UNTIL": "5.0", "CONTACT_GIVES_WAY": "1"}
+    assert lanes.environment(beside, None) == {}
 
 
 def test_a_command_that_the_end_of_the_run_stops_has_not_failed(
@@ -220,7 +221,43 @@ def test_a_command_that_the_end_of_the_run_stops_has_not_failed(
     assert row.cut_short
     assert row.tally.failed == 0
     assert row.tally.skipped == 2
-    assert row.tally.why[0] == f"not run to its end: sleeping, {LATE}"
+    assert row.tally.why[0] == f"not run to its end: sleeping: {LATE}"
+    assert result(row) == "not run"
+
+
+@pytest.mark.parametrize(
+    "says",
+    [
+        "FAILED: CMakeFiles/a.dir/b.cpp.o",
+        " 7/47 Test #71: hard_cases_03_polygons .....***Failed    0.11 sec",
+        "    not ok 3 - a figure is drawn",
+        "...F....                                          [ 40%]",
+    ],
+)
+def test_what_has_failed_before_it_was_stopped_has_failed(
+    says: str, logs: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(checks, "ROOT", logs)
+    monkeypatch.setenv("CONTACT_SLICES", str(logs / "slices"))
+    monkeypatch.setenv("CONTACT_UNTIL", str(time.monotonic() + 1))
+    fails = checks.once("fails", ["sh", "-c", 'echo "$0"; sleep 60', says], cwd=logs)
+    row = run_stage(Stage("late", "", 1, lambda: iter([fails]), may_wait=True))
+    assert row.tally.failed == 1
+
+
+def test_what_hangs_has_failed_also_at_the_end_of_a_run(
+    logs: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CONTACT_UNTIL", str(time.monotonic() - 1))
+    log = logs / "a.log"
+    assert checks.cut_off("a", steps.Done(None, "", 60.0, log)) is not None
+    assert checks.cut_off("a", steps.Done(None, "", checks.HANGS_AFTER + 1, log)) is None
+
+
+def test_a_stage_that_was_cut_short_does_not_say_that_it_passed() -> None:
+    assert result(Row(stage("a"), Tally(passed=1))) == "passed"
+    assert result(Row(stage("a"), Tally(passed=1), cut_short=True)) == "cut short"
+    assert result(Row(stage("a"), Tally(passed=1, failed=1), cut_short=True)) == "FAILED"
 
 
 def test_what_fails_before_the_end_of_the_run_has_failed(

@@ -150,12 +150,15 @@ def test_a_file_is_checked_by_the_stage_that_reads_it(
 
 
 def built_and_run(turn: int, monkeypatch: pytest.MonkeyPatch) -> tuple[set[str], str]:
-    """The targets of the stage plain, and the pattern of the tests that it runs."""
+    """The targets of the stages plain and ladder, and the pattern of the tests that plain runs."""
     monkeypatch.setenv("CONTACT_TURN", str(turn))
-    monkeypatch.setattr(checks, "build_of", lambda _preset, *targets: targets)
+    monkeypatch.setattr(checks, "build_of", lambda _preset, *targets, **_: list(targets))
     monkeypatch.setattr(checks, "ctest", lambda _preset, *words, **_: words)
-    built, words = checks.plain()
-    return set(built), words[1]
+    monkeypatch.setattr(checks, "once", lambda what, *_: what)
+    monkeypatch.setattr(checks, "pytest", lambda *_: iter(()))
+    *built, words = checks.plain()
+    built += [one for one in checks.ladder() if isinstance(one, list)]
+    return {target for targets in built for target in targets}, words[1]
 
 
 def test_what_runs_as_optimised_is_what_is_built(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,11 +1,9 @@
-"""What a change touches: compared with the compiler's list of includes, and with cases written by
-hand."""
+"""What a change touches: compared with what sources include, and with cases written by hand. With
+what a compiler has read it is compared in tests/built."""
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +11,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-BUILD = ROOT / "build" / "dev"
 sys.path.insert(0, str(ROOT / "tools"))
 
 from touched import (  # noqa: E402
@@ -37,44 +34,6 @@ def touched(*files: str, book: Book = BOOK) -> dict[str, set[str]]:
 
 
 # --- Against the tree -----------------------------------------------------------------------------
-
-
-def included_in_the_build() -> dict[str, set[str]]:
-    """Of each header of tests and chapters, the chapters whose objects the compiler made of it."""
-    if not (BUILD / "build.ninja").exists() or not shutil.which("ninja"):
-        pytest.skip("nothing is built in build/dev")
-    command = ["ninja", "-C", str(BUILD), "-t", "deps"]
-    listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    of_a_chapter = re.compile(
-        r"(?:reference_tests|hard_cases|example|figure|ladder|exercise|headers_alone)_(\d\d_\w+)\.dir/"
-    )
-    found: dict[str, set[str]] = {}
-    chapter = None
-    for line in listed.splitlines():
-        if not line.startswith(" "):
-            fits = of_a_chapter.search(line) if line.endswith("(VALID)") else None
-            chapter = next((c for c in CHAPTERS if fits and fits[1].startswith(c)), None)
-        elif chapter:
-            # Some are named from the root, and some from the build's folder.
-            name = os.path.relpath(BUILD / line[4:], ROOT)
-            if re.match(r"(chapters|tests)/.*\.hpp$", name):
-                found.setdefault(name, set()).add(chapter)
-    return found
-
-
-def test_who_compiles_a_header_is_touched_by_it() -> None:
-    included = included_in_the_build()
-    if not included:
-        pytest.skip("no chapter is built in build/dev")
-    missed = {}
-    for header, chapters in included.items():
-        if not (ROOT / header).exists():
-            continue
-        found = touched(header)
-        names = {name for kind in CODE for name in found.get(kind, ())}
-        if EVERYTHING not in names and not chapters <= names:
-            missed[header] = chapters - names
-    assert missed == {}
 
 
 def test_every_header_touches_who_includes_it_by_its_text() -> None:
