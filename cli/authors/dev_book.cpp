@@ -220,9 +220,12 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
       [](const fs::path& entry) {
         const std::string name = entry.filename().string();
         return name.ends_with("_test.cpp") || name.ends_with(".hpp") || name == "hard_cases.cpp" ||
-               name.ends_with(".json");
+               name.ends_with(".json") || name == "scenes";
       },
       problems);
+  require_only(
+      book.root() / "tests" / chapter.slug / "scenes",
+      [](const fs::path& entry) { return entry.extension() == ".json"; }, problems);
   return result;
 }
 

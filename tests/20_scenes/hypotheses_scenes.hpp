@@ -21,7 +21,7 @@ using contact::PlanOptions;
 using contact::Scene;
 
 inline std::filesystem::path folder() {
-  return std::filesystem::path(CONTACT_SOURCE_DIR) / "tests" / "20_scenes" / "refuting";
+  return std::filesystem::path(CONTACT_SOURCE_DIR) / "tests" / "20_scenes" / "scenes";
 }
 
 inline Scene refuting(std::string_view name) {

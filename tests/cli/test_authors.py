@@ -148,6 +148,7 @@ def test_dev_check_sees_what_is_wrong_in_the_files(clone: Path) -> None:
     folder = clone / "exercises/02_triangles/ray_triangle"
     (folder / "notes.txt").write_text("stray")
     (clone / "chapters/20_scenes/scenes/no_scene.txt").write_text("stray")
+    (clone / "tests/20_scenes/scenes/no_scene.txt").write_text("stray")
     (folder / "ray_triangle.cpp").write_text('#include "ray_triangle.hpp"\n')
     toml = folder / "exercise.toml"
     toml.write_text(

@@ -27,7 +27,7 @@ struct Hypothesis {
   std::string_view right_is;            ///< what the right side is, in words
   std::string_view unit;                ///< of both sides; empty for counts and ratios
   std::string_view why;                 ///< what happens in a scene without it, one sentence
-  /// The scene in tests/20_scenes/refuting/ that refutes the proof without this hypothesis.
+  /// The scene in tests/20_scenes/scenes/ that refutes the proof without this hypothesis.
   /// Empty if there is none in this model: then `why` says so.
   std::string_view scene;
 };
