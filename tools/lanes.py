@@ -44,12 +44,12 @@ class Running:
 
 
 def environment(stage: Stage, until: float | None) -> dict[str, str]:
-    """What tools/steps.py reads: until when the stage may run, and whether it gives way."""
+    """What tools/steps.py reads: until when the stage may run, and whether at a low priority."""
     extra = {}
     if stage.may_wait and until is not None:
         extra["CONTACT_UNTIL"] = str(until)
-        if stage.gives_way:
-            extra["CONTACT_GIVES_WAY"] = "1"
+        if stage.low_priority:
+            extra["CONTACT_LOW_PRIORITY"] = "1"
     return extra
 
 

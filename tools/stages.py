@@ -60,7 +60,7 @@ class Stage:
     # When the minutes that a run has are over, it does not begin, or is stopped: not a failure.
     may_wait: bool = False
     # In a run with such an end, what runs beside it has a processor first.
-    gives_way: bool = False
+    low_priority: bool = False
 
 
 @dataclass

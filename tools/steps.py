@@ -108,12 +108,12 @@ def run_is_over() -> bool:
     return seconds_of_run() <= 0
 
 
-def give_way(process: subprocess.Popen[bytes]) -> None:
-    """Lets what runs beside this command have a processor first, if $CONTACT_GIVES_WAY is set.
+def lower_priority(process: subprocess.Popen[bytes]) -> None:
+    """Lowers the priority of this command, if $CONTACT_LOW_PRIORITY is set.
 
     The command is a session of its own, and Linux shares processors among sessions.
     """
-    if not os.environ.get("CONTACT_GIVES_WAY"):
+    if not os.environ.get("CONTACT_LOW_PRIORITY"):
         return
     with suppress(OSError):
         os.setpriority(os.PRIO_PGRP, process.pid, 10)
@@ -155,7 +155,7 @@ def run(
             output.flush()
             return Done(127, path.read_text(), time.monotonic() - began, path)
         CHILDREN.start(process)
-        give_way(process)
+        lower_priority(process)
         try:
             code = process.wait(limit)
         except subprocess.TimeoutExpired:

@@ -853,7 +853,7 @@ STAGES = (
         80,
         sanitize,
         may_wait=True,
-        gives_way=True,
+        low_priority=True,
     ),
     Stage(
         "plain",

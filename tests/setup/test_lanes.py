@@ -205,8 +205,8 @@ def test_only_what_may_wait_is_told_when_the_run_ends() -> None:
     assert lanes.environment(stage("every_run"), None) == {}
     late = replace(stage("late"), may_wait=True)
     assert lanes.environment(late, 5.0) == {"CONTACT_UNTIL": "5.0"}
-    beside = replace(late, gives_way=True)
-    assert lanes.environment(beside, 5.0) == {"CONTACT_UNTIL": "5.0", "CONTACT_GIVES_WAY": "1"}
+    beside = replace(late, low_priority=True)
+    assert lanes.environment(beside, 5.0) == {"CONTACT_UNTIL": "5.0", "CONTACT_LOW_PRIORITY": "1"}
     assert lanes.environment(beside, None) == {}
 
 
