@@ -12,7 +12,7 @@ import { forgetSources } from "./headers.mjs";
 import { inRoot } from "./paths.mjs";
 import { makeAll } from "./pool.mjs";
 import { figureRecipe } from "./products.mjs";
-import { isMade, key, made } from "./recipes.mjs";
+import { Changed, isMade, key, made, make } from "./recipes.mjs";
 
 const run = promisify(execFile);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "contact-wasm-"));
@@ -80,6 +80,33 @@ test("a source that a header takes in counts unless the flags say that it is com
   const changed = [alone, linked, other].map((recipe, k) => key(recipe) !== before[k]);
   assert.deepEqual(changed, [true, false, true]);
   fs.writeFileSync(header, "#pragma once\n");
+});
+
+test("a source that is saved while it is compiled gives no product under its old key", async () => {
+  const recipe = small(`int before_${mark}() { return 1; }`);
+  const old = key(recipe);
+  small(`int after_${mark}() { return 1; }`);
+  await assert.rejects(make(recipe, old, []), Changed);
+  assert.equal(isMade(old), false);
+});
+
+test("a figure by the native compiler is, to the byte, the same by the page's compiler", async () => {
+  const folders = ["01_planes", "00_vectors"].map((slug) => inRoot("chapters", slug));
+  const { part } = figureRecipe(inRoot("page", "wasm", "fixtures", "stops.cpp"), folders);
+  assert.ok(part.tool === "link");
+  const by = (/** @type {boolean} */ inPage) => ({
+    ...part,
+    parts: part.parts.map((one) => {
+      assert.ok(one.tool === "compile");
+      const { pch: _, ...alone } = one;
+      return { ...alone, inPage, flags: [...one.flags, `-DMARK_${mark}`] };
+    }),
+  });
+  const [native, inPage] = [by(false), by(true)];
+  assert.notEqual(key(native), key(inPage));
+  const { failed } = await makeAll([native, inPage]);
+  assert.deepEqual([...failed.values()], []);
+  assert.deepEqual(made(key(native)), made(key(inPage)));
 });
 
 test("a C++ error is reported in the compiler's words, and the rest is built", async () => {

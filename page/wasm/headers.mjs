@@ -8,7 +8,7 @@ import { systemRoot } from "./flags.mjs";
 import { eigenDir, root } from "./paths.mjs";
 
 /** Packages of the machine whose headers a source may ask for, by the start of the header's name. */
-const systemPackages = [
+export const systemPackages = [
   { start: "Eigen/", dir: eigenDir, as: `${systemRoot}/eigen3` },
   { start: "unsupported/Eigen/", dir: eigenDir, as: `${systemRoot}/eigen3` },
   { start: "nlohmann/", dir: "/usr/include", as: systemRoot },
@@ -60,9 +60,13 @@ function source(file) {
   return found;
 }
 
+/** What closure() has found. @type {Map<string, { file: string, virtual: string, hash: string, bytes: Buffer }[]>} */
+const closures = new Map();
+
 /** Forgets what was read, for a process that outlives an edit. */
 export function forgetSources() {
   sources.clear();
+  closures.clear();
 }
 
 /** The name of a file in the tree that the compiler sees, the same on every machine.
@@ -104,14 +108,20 @@ function resolve(name, quoted, from, folders) {
  */
 export function closure(start, folders, flags = []) {
   if (!source(start)) throw new Error(`no such file: ${start}`);
+  const compiled = flags.filter((flag) => /^-DCONTACT_[A-Z]+_COMPILED$/.test(flag));
+  const asked = [start, ...folders, ...compiled].join("\0");
+  const known = closures.get(asked);
+  if (known) return [...known];
   const seen = new Set([start]);
   for (const file of seen)
     for (const { name, quoted, unless } of source(file)?.includes ?? []) {
-      if (unless !== undefined && flags.includes(`-D${unless}`)) continue;
+      if (unless !== undefined && compiled.includes(`-D${unless}`)) continue;
       const next = resolve(name, quoted, file, folders);
       if (next) seen.add(next);
     }
-  return [...seen].map(sourceFile);
+  const found = [...seen].map(sourceFile);
+  closures.set(asked, found);
+  return [...found];
 }
 
 /** One file, as the compiler gets it. @param {string} file */

@@ -62,6 +62,7 @@ const pagePrelude = (flags) => ({
 export const checkPrelude = {
   tool: "precompile",
   what: "the prelude of the exercises",
+  inPage: true,
   flags: studentFlags,
   folders: [inRoot("grading")],
   source: inRoot("grading", "contact", "prelude.hpp"),
@@ -234,7 +235,7 @@ const supportObject = (source, folders) => ({
   flags: testFlags,
   folders,
   source,
-  pch: checkPrelude,
+  pch: testPrelude,
 });
 
 /** What may be met from outside: as cmake/ContactExercises.cmake gives it to contact_seal, and the page's questions. */
@@ -328,6 +329,7 @@ export function checkProgram(exercise, answer) {
     tool: "compile",
     what,
     language: "c++",
+    inPage: true,
     flags: studentFlags,
     source: answer,
     pch: checkPrelude,

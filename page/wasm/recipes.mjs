@@ -5,15 +5,17 @@ import fs from "node:fs";
 import path from "node:path";
 import { CompileError, compilerVersion, runTool } from "./compiler.mjs";
 import { assertionsFolder, precompileFlags } from "./flags.mjs";
-import { closure, sourceFile, virtualPath } from "./headers.mjs";
-import { cacheDir, inRoot } from "./paths.mjs";
+import { closure, forgetSources, sourceFile, virtualPath } from "./headers.mjs";
+import { fromRoot, nativeVersion, runNative } from "./native_compiler.mjs";
+import { cacheDir, inRoot, root } from "./paths.mjs";
 import { definedNames, sealed } from "./seal.mjs";
 
 /**
  * @typedef {{ tool: 'compile', what: string, source: string, folders: string[], flags: string[],
- *             language: 'c++' | 'c' | 'assembly', pch?: Precompile }} Compile
- * @typedef {{ tool: 'precompile', what: string, source: string, folders: string[], flags: string[]
- *          }} Precompile
+ *             language: 'c++' | 'c' | 'assembly', pch?: Precompile, inPage?: boolean }} Compile
+ *   `inPage`: by the compiler that the page has, as a reader's file; else by the same as a native program
+ * @typedef {{ tool: 'precompile', what: string, source: string, folders: string[], flags: string[],
+ *             inPage?: boolean }} Precompile
  * @typedef {{ tool: 'archive', what: string, parts: Recipe[] }} Archive
  * @typedef {{ tool: 'link', what: string, before: string[], after: string[], parts: Recipe[] }} Link
  * @typedef {{ tool: 'seal', what: string, part: Recipe, others: Recipe[], open: Recipe[], keep: string[] }} Seal
@@ -56,6 +58,8 @@ export function key(recipe) {
   };
   add("1", recipe.tool, compilerVersion());
   if (recipe.tool === "compile" || recipe.tool === "precompile") {
+    // A precompiled header names its files by where they are.
+    if (!recipe.inPage) add(nativeVersion(), recipe.tool === "precompile" ? root : "");
     add(...recipe.flags, "", ...recipe.folders.map(virtualPath), "");
     for (const { virtual, hash } of filesOf(recipe)) add(virtual, hash);
   }
@@ -125,8 +129,42 @@ function treeFor(recipe) {
   return tree;
 }
 
-/** @param {Compile | Precompile} recipe */
-const search = (recipe) => recipe.folders.flatMap((folder) => ["-I", `/${virtualPath(folder)}`]);
+/**
+ * What the compiler is told, but for flags, precompiled header and result.
+ * @param {Compile | Precompile} recipe @param {(file: string) => string} named how the compiler knows a file
+ */
+function compilation(recipe, named) {
+  const source = named(recipe.source);
+  const search = recipe.folders.flatMap((folder) => ["-I", named(folder)]);
+  if (recipe.tool === "precompile") return [...search, "-emit-pch", "-x", "c++-header", source];
+  if (recipe.language === "assembly") return [source];
+  const name = path.basename(source);
+  return [...search, "-emit-obj", "-main-file-name", name, "-x", recipe.language, source];
+}
+
+/** In the tree that compiler.mjs is given. @param {string} file */
+const inTree = (file) => `/${virtualPath(file)}`;
+
+/** Compiles with the native program, from the files themselves. @param {Compile | Precompile} recipe
+ * @param {string} name its key @param {string[]} needed @returns {Promise<string>} */
+async function makeNatively(recipe, name, needed) {
+  const target = cached(name);
+  const part = `${target}.${process.pid}.part`;
+  fs.mkdirSync(path.dirname(target), { recursive: true });
+  const flags = recipe.tool === "precompile" ? [...recipe.flags, ...precompileFlags] : recipe.flags;
+  const [header] = needed;
+  const include = header === undefined ? [] : ["-include-pch", cached(header)];
+  const args = [...flags, ...include, "-o", part, ...compilation(recipe, fromRoot)];
+  try {
+    const log = await runNative(args, recipe.what);
+    forgetSources();
+    if (key(recipe) !== name) throw new Changed(recipe.what);
+    fs.renameSync(part, target);
+    return log;
+  } finally {
+    fs.rmSync(part, { force: true });
+  }
+}
 
 /** A source was edited between the moment when its key was computed and the moment when it was read. */
 export class Changed extends Error {}
@@ -153,6 +191,8 @@ export async function make(recipe, name, needed) {
     return "";
   }
   const result = "result.out";
+  const compiles = recipe.tool === "compile" || recipe.tool === "precompile";
+  if (compiles && !recipe.inPage) return makeNatively(recipe, name, needed);
   /** @type {Tree} */
   let tree = {};
   /** @type {string[]} */
@@ -160,26 +200,19 @@ export async function make(recipe, name, needed) {
   switch (recipe.tool) {
     case "compile": {
       tree = treeFor(recipe);
-      const source = virtualPath(recipe.source);
-      if (recipe.language === "assembly") {
-        args = [...recipe.flags, "-o", result, source];
-        break;
-      }
-      args = [...recipe.flags, ...search(recipe)];
+      args = [...recipe.flags];
       if (recipe.pch) {
         for (const { virtual, bytes } of filesOf(recipe.pch))
           put(tree, virtual, new Uint8Array(bytes));
         tree["prelude.pch"] = made(String(needed[0]));
         args.push("-include-pch", "prelude.pch");
       }
-      args.push("-emit-obj", "-main-file-name", path.basename(source), "-o", result);
-      args.push("-x", recipe.language, source);
+      args.push("-o", result, ...compilation(recipe, inTree));
       break;
     }
     case "precompile":
       tree = treeFor(recipe);
-      args = [...recipe.flags, ...precompileFlags, ...search(recipe), "-emit-pch", "-o", result];
-      args.push("-x", "c++-header", virtualPath(recipe.source));
+      args = [...recipe.flags, ...precompileFlags, "-o", result, ...compilation(recipe, inTree)];
       break;
     case "archive":
     case "link": {
@@ -195,8 +228,7 @@ export async function make(recipe, name, needed) {
       break;
     }
   }
-  if ((recipe.tool === "compile" || recipe.tool === "precompile") && key(recipe) !== name)
-    throw new Changed(recipe.what);
+  if (compiles && key(recipe) !== name) throw new Changed(recipe.what);
   const { files, log } = await runTool(args, tree, recipe.what);
   const bytes = files[result];
   if (!(bytes instanceof Uint8Array)) throw new CompileError(`${recipe.what}: no result`, log);
