@@ -108,7 +108,7 @@ const Motion ground{{0, 0, -5}, {0, 0, 0}, {0, 0, 0}};
 
 }  // namespace
 
-TEST_CASE("every point of a body without rotation has its velocity") {
+TEST_CASE("without rotation every point has the velocity of the centre") {
   check_velocity({{1, 2, 3}, {4, -5, 6}, {0, 0, 0}}, {7, 7, 7});
   check_velocity({{0, 0, 0}, {0, 0, -2}, {0, 0, 0}}, {1, 0, 0});
 }

@@ -108,7 +108,7 @@ TEST_CASE("a box has a larger moment perpendicular to its length") {
   check_box(6, {2, 2, 2});
 }
 
-TEST_CASE("a point far from the centre counts by its distance from the axis") {
+TEST_CASE("the tensor about another point follows the parallel-axis theorem") {
   check_point(diagonal(5, 4, 3), 2, {0, 0, 3});
   check_point(diagonal(1, 1, 1), 4, {1, 2, 0});
   check_point(diagonal(5, 4, 3), 1, {1, -2, 3});

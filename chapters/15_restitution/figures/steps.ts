@@ -122,6 +122,6 @@ export default defineFigure<Input, Output>({
   describe(input, output) {
     if (output.last_height < -0.01)
       return `In steps of ${pretty(input.step, 3)} s the ball sinks through the floor.`;
-    return `In steps of ${pretty(input.step, 3)} s the ball still reaches ${pretty(output.last_peak, 3)} m near the end of six seconds; it should reach ${pretty(output.true_last_peak, 3)} m.`;
+    return `In steps of ${pretty(input.step, 3)} s the ball reaches ${pretty(output.last_peak, 3)} m near the end of six seconds; it should reach ${pretty(output.true_last_peak, 3)} m.`;
   },
 });

@@ -52,8 +52,7 @@ export default defineFigure<Input, Output>({
     steps: 60,
     angular_velocity: 3,
     shape: 0.5,
-    // 3 : 4
-    angle: (Math.atan2(3, 4) * 180) / Math.PI,
+    angle: 37,
     also: 0,
     at: 5,
   },

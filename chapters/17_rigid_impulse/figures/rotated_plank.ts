@@ -103,13 +103,6 @@ export default defineFigure<Input, Output>({
       dashed: true,
       through: true,
     });
-    if (!output.agree)
-      scene.label(times(output.sphere_angular_velocity, PER_SPIN), "as for a sphere", {
-        role: "b",
-        offset: [0, -10],
-        anchor: "middle",
-        size: "small",
-      });
     scene.arrow(ORIGIN, times(output.angular_velocity, PER_SPIN), {
       role: "hit",
       width: 3,
@@ -152,7 +145,7 @@ export default defineFigure<Input, Output>({
     },
     {
       name: "ω",
-      meaning: "3 (r × J) / tr I, as for a sphere: wrong",
+      meaning: "(r × J) / mean moment, as for a sphere: wrong",
       value: output.sphere_angular_velocity,
       unit: "rad/s",
       role: "b",

@@ -170,7 +170,8 @@ function rivals(all: readonly Rung[], chosen: Rung, counted: boolean, wrong: boo
   const [first] = found;
   if (!first) return "";
   const one = found.length === 1;
-  const who = one ? fullName(first.method) : `${found.length} other methods`;
+  // In quotes, because a name may contain a comma.
+  const who = one ? `“${fullName(first.method)}”` : `${found.length} other methods`;
   const was = one ? "was" : "were";
   const good = counted ? `${was} ${wrong ? "no more often" : "not"} wrong` : "had no larger error";
   const byDesign = chosen.method.exact && !found.some(({ method }) => method.exact);

@@ -138,7 +138,7 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   assert.equal(
     said(),
     "★ sure (double, then exact): the fastest of the 2 methods that by design are never wrong, 5 × the time of the " +
-      "fastest of all; lucky (double) is faster and was not wrong on these inputs, but is not so by design.",
+      "fastest of all; “lucky (double)” is faster and was not wrong on these inputs, but is not so by design.",
   );
   // Other numbers, another sentence.
   const wrong = result.results.map((each) =>
@@ -164,7 +164,7 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   // Faster methods that are as good are no secret.
   assert.match(
     other("slow", result.results),
-    /wrong on 1 of 2,000 inputs, 4 × the time of the fastest of all; lucky \(double\) is faster and was no more often wrong on these inputs\.$/,
+    /wrong on 1 of 2,000 inputs, 4 × the time of the fastest of all; “lucky \(double\)” is faster and was no more often wrong on these inputs\.$/,
   );
   // The fastest that is never wrong by design is not the choice here: no word of "the fastest of".
   assert.match(
