@@ -83,24 +83,24 @@ CONTACT_SCENES_INLINE double corners_of_two_ways(const PlanInput& q) {
 // [two-sides]
 CONTACT_SCENES_INLINE double hit_from_two_sides(const PlanInput& q) {
   struct Group {
-    double least_mass = detail::infinite;
-    double most_mass = 0;
-    double least_restitution = 1;  // between bodies that move
-    double most_restitution = 0;   // of all pairs
+    double min_mass = detail::infinite;
+    double max_mass = 0;
+    double min_restitution = 1;  // between bodies that move
+    double max_restitution = 0;  // of all pairs
   };
   std::map<std::size_t, Group> groups;
   for (std::size_t i = 0; i < q.scene->bodies.size(); ++i) {
     if (!q.scene->bodies[i].moves) continue;
     Group& group = groups[q.bounds.bodies[i].group];
-    group.least_mass = std::min(group.least_mass, q.scene->bodies[i].mass);
-    group.most_mass = std::max(group.most_mass, q.scene->bodies[i].mass);
+    group.min_mass = std::min(group.min_mass, q.scene->bodies[i].mass);
+    group.max_mass = std::max(group.max_mass, q.scene->bodies[i].mass);
   }
   for (const PairBound& pair : q.pairs) {
     if (!pair.hard) continue;
     Group& group = groups[q.bounds.bodies[pair.a].group];
-    group.most_restitution = std::max(group.most_restitution, pair.max_restitution);
+    group.max_restitution = std::max(group.max_restitution, pair.max_restitution);
     if (pair.both_move)
-      group.least_restitution = std::min(group.least_restitution, pair.min_restitution);
+      group.min_restitution = std::min(group.min_restitution, pair.min_restitution);
   }
   double count = 0;
   for (const auto& [body, pairs] : detail::pairs_by_body(q)) {
@@ -113,8 +113,8 @@ CONTACT_SCENES_INLINE double hit_from_two_sides(const PlanInput& q) {
     }
     if (hard < 2 || !moving) continue;
     const Group& group = groups[q.bounds.bodies[body].group];
-    const bool exchange = group.least_mass == group.most_mass && group.least_restitution == 1;
-    count += exchange || group.most_restitution == 0 ? 0 : 1;
+    const bool exchange = group.min_mass == group.max_mass && group.min_restitution == 1;
+    count += exchange || group.max_restitution == 0 ? 0 : 1;
   }
   return count;
 }

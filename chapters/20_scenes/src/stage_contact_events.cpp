@@ -115,7 +115,7 @@ CONTACT_SCENES_INLINE void find_end_of_sliding(const SteppedSetup& setup, Steppe
     const BodyContact<double>& contact = push.contact;
     if (!(contact.friction > 0)) continue;
     const detail::Slide slide = detail::slide_of(setup, state, substep, contact);
-    if (!(size_of(slide.first) * setup.step > least_error(setup))) continue;
+    if (!(size_of(slide.first) * setup.step > min_error(setup))) continue;
     const double before = slide.first.dot(slide.first);
     const double after = slide.first.dot(slide.last);
     if (after <= before * 0x1p-20)
@@ -203,7 +203,7 @@ namespace detail {
 CONTACT_SCENES_INLINE bool force_varies(const SteppedSetup& setup, const SteppedState& state,
                                         const Substep& substep, const StepBounce& push) {
   const BodyContact<double>& contact = push.contact;
-  const double least = least_error(setup);
+  const double least = min_error(setup);
   double lightness = 0;
   bool round = false;
   for (const int body : {contact.a, contact.b}) {
@@ -259,13 +259,12 @@ CONTACT_SCENES_INLINE void note_varying_forces(const SteppedSetup& setup, Steppe
 CONTACT_SCENES_INLINE void note_slow_impact(const SteppedSetup& setup, SteppedState& state,
                                             const Substep& substep, const NearPair& pair,
                                             double speed) {
-  if (!(speed * setup.step > least_error(setup))) return;
+  if (!(speed * setup.step > min_error(setup))) return;
   bool varies = detail::is_round(setup.bodies[pair.a]) && detail::is_round(setup.bodies[pair.b]);
   for (const std::size_t slot : {pair.a, pair.b}) {
     const double turns = size_of(angular_velocity_of(state, slot));
-    varies =
-        varies || (slot < setup.movers &&
-                   turns * setup.bodies[slot].rotation_radius * setup.step > least_error(setup));
+    varies = varies || (slot < setup.movers &&
+                        turns * setup.bodies[slot].rotation_radius * setup.step > min_error(setup));
   }
   if (!varies && !(falling_away(setup, state, substep, pair) > 0)) return;
   const double now = time_of_substep(setup, state, substep);

@@ -76,7 +76,7 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
     if (hit) hits.push_back({first, contacts.size()});
     if (lay_down && !hit) {
       ++state.counts.rests;
-      if (laid * setup.step > least_error(setup)) {
+      if (laid * setup.step > min_error(setup)) {
         const double now = time_of_substep(setup, state, substep);
         state.counts.doubts.add(RunDoubt::contact, now);
         state.counts.doubts.add(RunDoubt::rest, now);

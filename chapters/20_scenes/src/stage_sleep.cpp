@@ -63,7 +63,7 @@ CONTACT_SCENES_INLINE void put_to_sleep(const SteppedSetup& setup, SteppedState&
     const double now = time_of_substep(setup, state, substep);
     const double creeps = size_of(state.velocity[i]) +
                           size_of(angular_velocity_of(state, i)) * setup.bodies[i].rotation_radius;
-    if (creeps * std::max(setup.scene.duration - now, setup.step) > least_error(setup))
+    if (creeps * std::max(setup.scene.duration - now, setup.step) > min_error(setup))
       state.counts.doubts.add(RunDoubt::rest, now);
     state.velocity.set(i, Vector3<double>::Zero());
     if (setup.rotation) state.angular_velocity.set(i, Vector3<double>::Zero());

@@ -141,7 +141,7 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
     // The residual must not move anything through the thinnest body.
     for (int more = 0; more < 100 && solved.report.last_change * time > setup.thinnest / 16; ++more)
       solved = solve_iteratively(state, bodies.bodies, named, solved.impulses, limits);
-    if (!(solved.report.residual * setup.step <= least_error(setup)))
+    if (!(solved.report.residual * setup.step <= min_error(setup)))
       state.counts.doubts.add(RunDoubt::unsettled, static_cast<double>(state.step) * setup.step);
     for (std::size_t k = 0; k < island.size(); ++k) impulses[island[k]] = solved.impulses[k];
     for (std::size_t k = 0; k < bodies.slots.size(); ++k) {

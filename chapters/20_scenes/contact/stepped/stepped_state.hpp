@@ -307,7 +307,7 @@ inline double time_of_substep(const SteppedSetup& setup, const SteppedState& sta
 }
 /// A displacement in a step that is too small to matter, m: a part of the tolerance, or of 1e-6 m
 /// if the scene has none.
-inline double least_error(const SteppedSetup& setup) {
+inline double min_error(const SteppedSetup& setup) {
   return setup.scene.tolerance.position.value_or(1e-6) * 0x1p-10;
 }
 /// The size of a vector, m or m/s.
