@@ -198,13 +198,13 @@ function legend(result: LadderResult, own: boolean): string {
     return `<p><span class="name">${name}:</span> ${steps.join(" ")}</p>`;
   });
   const byDesign = result.methods.some(({ exact }) => exact);
-  const better = decides(result)
-    ? "at least as often right"
-    : "at least as accurate on the worst input";
+  const worse = decides(result)
+    ? "less often right"
+    : "less accurate on the worst input";
   const signs = [
     result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
     byDesign ? "◆ never wrong by design" : "",
-    `<strong>bold</strong>: no other method is both faster and ${better}${byDesign && decides(result) ? ", where a method without ◆ counts as less often right than one with ◆" : ""}`,
+    `<strong>bold</strong>: every faster method is ${worse}${byDesign && decides(result) ? ", or is without the ◆ of this one" : ""}`,
     "bar: time of one answer on a logarithmic axis, as the geometric mean over the families of inputs (the columns)",
     "line on the bar: the middle half of the repeated measurements",
     "dot below the bar: the time of one family",
