@@ -1,7 +1,8 @@
 """./contact serve: builds the book and serves it on this machine.
 
-The lessons are built first, because nothing has to be compiled for them. Everything else is built
-in the background, in the order in which pages request it. Ctrl-C stops the server and every build.
+The lessons are built first, because nothing has to be compiled for them, and of these the one that
+is opened. Everything else is built in the background, in the order in which pages request it.
+Ctrl-C stops the server and every build.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import http.client
 import http.server
 import json
 import os
+import re
 import signal
 import socket
 import sys
@@ -21,6 +23,7 @@ from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from html.parser import HTMLParser
 from http import HTTPStatus
+from pathlib import Path
 from typing import ClassVar
 from urllib.parse import parse_qs, quote, unquote, urldefrag, urljoin, urlsplit
 
@@ -88,6 +91,43 @@ def is_of_exercises(name: str) -> bool:
     return name.startswith(("exercise ", "exercises "))
 
 
+class Lessons:
+    """Which pages can be read while the lessons are built for the first time.
+
+    Sphinx writes next the page that was asked for last, and tells which are written
+    (docs/_ext/contact_book/page_order.py). Where there were pages before, they are served
+    meanwhile.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._told = threading.Lock()
+        self.built = (SITE / "index.html").exists()
+        folder.mkdir(parents=True, exist_ok=True)
+        for name in ("wanted", "ready"):
+            (folder / name).write_text("")
+
+    def to_come(self, path: str) -> bool:
+        """Whether this is a page that cannot be read yet; asking for it makes it the next."""
+        page = f"{path}index.html" if path.endswith("/") else path
+        name = page.removeprefix("/").removesuffix(".html")
+        if self.built or not page.endswith(".html") or not re.fullmatch(r"[\w/-]+", name):
+            return False
+        if name in (self._folder / "ready").read_text("utf-8").split():
+            return False
+        with self._told, (self._folder / "wanted").open("a", encoding="utf-8") as wanted:
+            wanted.write(f"{name}\n")
+        return True
+
+
+TO_COME = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark"><meta http-equiv="refresh" content="1">
+<title>This page is being built</title></head>
+<body><p role="status">This page is being built and will appear by itself.</p></body></html>
+"""
+
+
 class Handler(http.server.SimpleHTTPRequestHandler):
     """Static files, of the types that browsers insist on, never stale."""
 
@@ -104,22 +144,29 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     }
 
     waiting: ClassVar[Waiting]
+    lessons: ClassVar[Lessons]
 
     def do_GET(self) -> None:
         """Files, and what is being built (page/web/src/pending.ts asks)."""
         address = urlsplit(self.path)
+        if self.lessons.to_come(address.path):
+            self._answer("text/html; charset=utf-8", TO_COME)
+            return
         if address.path != "/building.json":
             super().do_GET()
             return
         for name in parse_qs(address.query).get("want", [])[:1]:
             self.waiting.want(name)
         said = {"waiting": self.waiting.names(), "building": self.waiting.begun()}
-        text = json.dumps(said).encode()
+        self._answer("application/json", json.dumps(said))
+
+    def _answer(self, kind: str, text: str) -> None:
+        content = text.encode()
         self.send_response(HTTPStatus.OK)
-        self.send_header("Content-Type", "application/json")
-        self.send_header("Content-Length", str(len(text)))
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(content)))
         self.end_headers()
-        self.wfile.write(text)
+        self.wfile.write(content)
 
     def end_headers(self) -> None:
         # What is rebuilt behind must be seen at the next load.
@@ -145,8 +192,9 @@ class Server(http.server.ThreadingHTTPServer):
             super().handle_error(request, client_address)  # type: ignore[arg-type]
 
 
-def open_server(port: int, waiting: Waiting) -> Server:
+def open_server(port: int, waiting: Waiting, lessons: Lessons) -> Server:
     Handler.waiting = waiting
+    Handler.lessons = lessons
     handler = functools.partial(Handler, directory=str(SITE))
     if is_taken(port):
         print(f"Port {port} is taken; using a free one.")
@@ -292,16 +340,28 @@ def where_things_lie(address: str, *, ebook: bool) -> str:
 def serve(port: int, *, once: bool, ebook: bool) -> int:
     # The home page leads to the e-book only where there is one, or will be.
     os.environ["CONTACT_BOOK_EBOOK"] = "1" if once or ebook or steps.EBOOK.exists() else "0"
-    if not all(build(step) for step in steps.FIRST):
+    os.environ["CONTACT_BOOK_PAGES"] = str(steps.BUILD / "pages")
+    if not build(steps.SCRIPTS_ONLY):
         return 1
+    lessons = Lessons(steps.BUILD / "pages")
     waiting = Waiting(*steps.waiting_parts())
-    server = open_server(port, waiting)
+    server = open_server(port, waiting, lessons)
     port = server.server_address[1]
     behind = Behind(waiting, ebook=once or ebook)
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     try:
         thread.start()
-        print(where_things_lie(f"http://127.0.0.1:{port}/", ebook=once or ebook), flush=True)
+        with ThreadPoolExecutor(1) as beside:
+            built = beside.submit(build, steps.LESSONS)
+            while not built.done() and lessons.to_come("/"):
+                time.sleep(0.2)
+            if not built.done() or built.result():
+                print(
+                    where_things_lie(f"http://127.0.0.1:{port}/", ebook=once or ebook), flush=True
+                )
+        if not built.result():
+            return 1
+        lessons.built = True
         behind.start()
         if once:
             behind.join()

@@ -395,8 +395,8 @@ PAGE_PROGRAMS = Step("the programs whose results the pages show", _page_programs
 PAGES = Step("the pages with all that", build_book)
 EBOOK_STEP = Step("the e-book", build_ebook)
 
-# What a reader needs to begin, in order: nothing of it is compiled.
-FIRST = (SCRIPTS_ONLY, Step("the lessons", build_lessons))
+# What a reader needs to begin, after SCRIPTS_ONLY: nothing of it is compiled.
+LESSONS = Step("the lessons", build_lessons)
 # What can come while they read, after the figures. The pages are built again, to take it all in.
 BEHIND = (
     FIGURES,

@@ -40,6 +40,7 @@ from contact_book.minify import minify
 from contact_book.mutants import Mutants
 from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
+from contact_book.page_order import connect as connect_page_order
 from contact_book.scene_player import ScenePlayer
 from contact_book.term_index import show_index
 from contact_book.terms import connect as connect_terms
@@ -102,6 +103,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     mark_less()
     connect_exercise_data(app)
     connect_ebook(app)
+    connect_page_order(app)
     connect_blocks(app)
     connect_terms(app)
     app.connect("builder-inited", name_authors_files)
