@@ -1,4 +1,4 @@
-// A scene with five mistakes. Each message gives line, path, value and what is allowed.
+// A scene with five mistakes. Each message gives line, path, value if any, and what is allowed.
 #include <contact/scene/scene_file.hpp>
 #include <cstdio>
 
@@ -12,7 +12,7 @@ int main() {
     { "name": "a", "shape": { "type": "sphere", "radius": 0.5 }, "material": "ruber", "mass": 1,
       "position": [0, 0, 0] },
     { "name": "b", "shape": { "type": "sphere", "radius": 0.5 }, "material": "rubber", "mass": 0,
-      "position": [0.75, 0, 0], "colour": "red" }
+      "position": [1.5, 0, 0], "colour": "red" }
   ],
   "duration": 1,
   "tolerance": {}

@@ -144,7 +144,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanInput&
       along("mirror/no-rotation", angular_velocity,
             "largest angular velocity about another axis than " + name),
       along("mirror/mirrored-shapes", asymmetric,
-            "bodies not their own mirror image across " + name),
+            "bodies or pairs not their own mirror image across " + name),
       along("mirror/common-plane", apart,
             "farthest that centres of bodies that may meet differ along " + name)};
   // [/mirror]

@@ -186,8 +186,8 @@ inline double sorted_sum(std::vector<double> terms) {
 /// So only gravity adds energy, at the rate Σ m g·v ≤ |g| √(M 2K): √(2K) grows by at most |g| √M in
 /// a second. Over a level floor, gravity adds at most the energy of falling to the floor; in a run
 /// whose hits are late by a step, also that of the dip into the floor, up to the tolerance.
-/// @param w squared speed for each joule of 2K, 1/kg; for two bodies the sum of both: by Cauchy and
-/// Schwarz |v| + |v'| ≤ √((m v² + m' v'²)(1/m + 1/m'))
+/// @param w inverse mass, 1/kg: 1/m for the speed of one body, as v² ≤ 2K/m; 1/m + 1/m' for the sum
+/// of two bodies' speeds, as |v| + |v'| ≤ √((m v² + m' v'²)(1/m + 1/m')) by Cauchy and Schwarz
 /// @param gravity |g|, m/s²
 /// @param t at any time up to this, s
 /// @return m/s, rounded up
