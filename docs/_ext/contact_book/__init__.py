@@ -30,7 +30,7 @@ from contact_book.hard_cases import HardCases
 from contact_book.highlight import mark_less
 from contact_book.home import BookContents, ChapterCards, EBookLink, read_again
 from contact_book.html import depart_through, visit_component, visit_through
-from contact_book.ladder import Ladder
+from contact_book.ladder import Ladder, draw_ahead
 from contact_book.landmarks import name_columns, plain_captions
 from contact_book.listing import Code, Example, Measured
 from contact_book.live_figure import LiveFigure
@@ -112,6 +112,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("env-get-outdated", forget_gone, priority=100)
     app.connect("env-get-outdated", read_again)
     app.connect("env-get-outdated", read_your_work_again)
+    app.connect("env-before-read-docs", draw_ahead)
     app.connect("source-read", append_frame)
     app.connect("source-read", depend_on_headers)
     app.connect("doctree-read", place_head)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 from typing import Any, ClassVar
+from weakref import WeakKeyDictionary
 
 from docutils import nodes
 from sphinx.config import Config
@@ -16,9 +17,15 @@ from contact_book.errors import BookError
 logger = logging.getLogger(__name__)
 
 
+# The book of each run of Sphinx: its registry is read once.
+_books: WeakKeyDictionary[Config, Book] = WeakKeyDictionary()
+
+
 def open_book(config: Config) -> Book:
-    """The book that this configuration points to."""
-    return Book(Path(config.contact_root), Path(config.contact_products))
+    """The book that this configuration points to, as it was when it was first asked for."""
+    if config not in _books:
+        _books[config] = Book(Path(config.contact_root), Path(config.contact_products))
+    return _books[config]
 
 
 def slug_of(docname: str) -> str | None:
@@ -58,10 +65,7 @@ class BookDirective(SphinxDirective):
 
     @property
     def book(self) -> Book:
-        if "contact_book" not in self.env.temp_data:
-            self.env.temp_data["contact_book"] = open_book(self.config)
-        book: Book = self.env.temp_data["contact_book"]
-        return book
+        return open_book(self.config)
 
     @property
     def here(self) -> str | None:

@@ -10,13 +10,17 @@ import csv
 import io
 import json
 import subprocess
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 from sphinx.writers.html5 import HTML5Translator
 
-from contact_book.directive import BookDirective
+from contact_book.book import Book
+from contact_book.directive import BookDirective, open_book
 from contact_book.errors import BookError
 from contact_book.html import attributes, base_path, can_run_scripts, json_script, renders, slots
 from contact_book.nodes import component, make_component, make_slot
@@ -77,6 +81,36 @@ def columns(data: dict[str, Any]) -> tuple[list[str], list[list[str]]]:
     return heads, rows
 
 
+def _measurement(book: Book, slug: str) -> Path:
+    """The newest measurement that is kept, or the quick one of the build, which may be missing."""
+    kept = newest(book.root / "benchmarks" / "results", slug)
+    return kept or book.products / "ladders" / f"{slug}.json"
+
+
+def _draw(drawer: Path, path: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        ["node", str(drawer), str(path)], capture_output=True, text=True, check=False
+    )
+
+
+_drawn_ahead: dict[Path, Future[subprocess.CompletedProcess[str]]] = {}
+
+
+def draw_ahead(app: Sphinx, _env: BuildEnvironment, names: list[str]) -> None:
+    """Begins the pictures of the lessons to be read, on another core than the reading."""
+    drawer = Path(app.config.contact_plotter)
+    if not drawer.is_file():
+        return
+    book = open_book(app.config)
+    beside = ThreadPoolExecutor(1)
+    for name in names:
+        slug = name.removeprefix("chapters/")
+        path = _measurement(book, slug)
+        if (book.root / "chapters" / slug / "ladder.cpp").is_file() and path.is_file():
+            _drawn_ahead[path] = beside.submit(_draw, drawer, path)
+    beside.shutdown(wait=False)
+
+
 class Ladder(BookDirective):
     optional_arguments = 1
 
@@ -87,9 +121,8 @@ class Ladder(BookDirective):
         chapter = self.book.chapter(slug, self.source)
         if not (chapter.folder / "ladder.cpp").is_file():
             raise BookError(f"chapters/{slug}/ladder.cpp is missing")
-        measured = newest(self.book.root / "benchmarks" / "results", slug)
-        smoke = self.book.products / "ladders" / f"{slug}.json"
-        path = measured or smoke
+        path = _measurement(self.book, slug)
+        measured = path.is_relative_to(self.book.root / "benchmarks")
         self.depends(path)
         self.needs_script()
         if not path.is_file():
@@ -98,7 +131,7 @@ class Ladder(BookDirective):
             return [nodes.paragraph("", words, classes=["not-built"])]
         data = json.loads(path.read_text(encoding="utf-8"))
         picture = self.picture(path)
-        content = [make_slot("source", self.origin(data, measured is not None))]
+        content = [make_slot("source", self.origin(data, measured))]
         content += [make_slot("table", [self.results(data)])]
         values = {"slug": slug, "ladder": data, "picture": picture}
         return [make_component("ladder", values, content)]
@@ -110,9 +143,8 @@ class Ladder(BookDirective):
             self.missing_product(f"the picture of {path.name} needs {drawer}")
             return ""
         self.depends(drawer, *sorted((drawer.parent / "src").glob("ladder-*.ts")))
-        made = subprocess.run(
-            ["node", str(drawer), str(path)], capture_output=True, text=True, check=False
-        )
+        ahead = _drawn_ahead.pop(path, None)
+        made = ahead.result() if ahead else _draw(drawer, path)
         if made.returncode != 0:
             raise BookError(f"drawing {path.name} failed: {made.stderr.strip()[-800:]}")
         return made.stdout
