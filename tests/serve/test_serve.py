@@ -19,7 +19,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from serve import Waiting, open_server  # noqa: E402
+import serve  # noqa: E402
+from serve import Handler, Lessons, Server, Waiting, open_server  # noqa: E402
 
 
 def lines_of(process: subprocess.Popen[str]) -> Queue[str]:
@@ -153,10 +154,10 @@ def test_of_exercises_one_is_built_at_a_time() -> None:
     assert waiting.take() == "exercise 02/a"
 
 
-def test_the_server_says_what_is_waiting() -> None:
+def test_the_server_says_what_is_waiting(tmp_path: Path) -> None:
     waiting = Waiting(["01/a", "01/b", "01/c"])
     waiting.take()
-    server = open_server(0, waiting)
+    server = open_server(0, waiting, Lessons(tmp_path))
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     thread.start()
     try:
@@ -172,3 +173,54 @@ def test_the_server_says_what_is_waiting() -> None:
     finally:
         server.shutdown()
         server.server_close()
+
+
+def serve_a_book_without_pages(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Server:
+    monkeypatch.setattr(serve, "SITE", folder / "site")
+    (folder / "site/chapters").mkdir(parents=True)
+    server = open_server(0, Waiting([]), Lessons(folder / "pages"))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return server
+
+
+def test_a_page_that_is_not_written_says_so_until_it_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server = serve_a_book_without_pages(tmp_path, monkeypatch)
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_address[1], timeout=10)
+
+    def page(path: str) -> tuple[int, str]:
+        connection.request("GET", path)
+        answer = connection.getresponse()
+        return answer.status, answer.read().decode()
+
+    try:
+        # Half a page may lie there while it is written.
+        (tmp_path / "site/chapters/02_b.html").write_text("half a p")
+        for path in ("/", "/chapters/01_a.html", "/chapters/02_b.html"):
+            status, text = page(path)
+            assert status == 200
+            assert 'http-equiv="refresh"' in text
+            assert "being built" in text
+        assert (tmp_path / "pages/wanted").read_text().split() == [
+            "index",
+            "chapters/01_a",
+            "chapters/02_b",
+        ]
+        (tmp_path / "site/chapters/02_b.html").write_text("a whole page")
+        (tmp_path / "pages/ready").write_text("chapters/02_b\n")
+        assert page("/chapters/02_b.html") == (200, "a whole page")
+        assert page("/chapters/nothing.css")[0] == 404
+        Handler.lessons.built = True
+        assert page("/chapters/01_a.html")[0] == 404
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
+def test_pages_that_were_built_before_are_served_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(serve, "SITE", tmp_path)
+    (tmp_path / "index.html").write_text("the home page")
+    assert not Lessons(tmp_path / "pages").to_come("/")
