@@ -198,9 +198,7 @@ function legend(result: LadderResult, own: boolean): string {
     return `<p><span class="name">${name}:</span> ${steps.join(" ")}</p>`;
   });
   const byDesign = result.methods.some(({ exact }) => exact);
-  const worse = decides(result)
-    ? "less often right"
-    : "less accurate on the worst input";
+  const worse = decides(result) ? "less often right" : "less accurate on the worst input";
   const signs = [
     result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
     byDesign ? "◆ never wrong by design" : "",
