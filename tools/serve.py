@@ -17,10 +17,11 @@ import re
 import signal
 import socket
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Mapping
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from html.parser import HTMLParser
 from http import HTTPStatus
 from pathlib import Path
@@ -92,30 +93,35 @@ def is_of_exercises(name: str) -> bool:
 
 
 class Lessons:
-    """Which pages can be read while the lessons are built for the first time.
+    """Which pages can be read while the lessons are built.
 
-    Sphinx writes next the page that was asked for last, and tells which are written
-    (docs/_ext/contact_book/page_order.py). Where there were pages before, they are served
+    Sphinx writes next the page that was asked for last, and tells in a folder which are written
+    (docs/_ext/contact_book/page_order.py). Where all were written before, they are served
     meanwhile.
     """
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._told = threading.Lock()
-        self.built = (SITE / "index.html").exists()
-        folder.mkdir(parents=True, exist_ok=True)
+        self._lock = threading.Lock()
+        # What is written last of a site.
+        self._whole = (SITE / "offline.json").exists()
+        self.built = False
         for name in ("wanted", "ready"):
             (folder / name).write_text("")
+
+    def is_ready(self, name: str) -> bool:
+        """Whether this page can be read, as far as is known before all are built."""
+        if self.built or (self._whole and (SITE / f"{name}.html").exists()):
+            return True
+        return name in (self._folder / "ready").read_text("utf-8").split()
 
     def to_come(self, path: str) -> bool:
         """Whether this is a page that cannot be read yet; asking for it makes it the next."""
         page = f"{path}index.html" if path.endswith("/") else path
         name = page.removeprefix("/").removesuffix(".html")
-        if self.built or not page.endswith(".html") or not re.fullmatch(r"[\w/-]+", name):
+        if not page.endswith(".html") or not re.fullmatch(r"[\w/-]+", name) or self.is_ready(name):
             return False
-        if name in (self._folder / "ready").read_text("utf-8").split():
-            return False
-        with self._told, (self._folder / "wanted").open("a", encoding="utf-8") as wanted:
+        with self._lock, (self._folder / "wanted").open("a", encoding="utf-8") as wanted:
             wanted.write(f"{name}\n")
         return True
 
@@ -237,6 +243,20 @@ def build(step: steps.Step) -> bool:
     return True
 
 
+def build_beside(step: steps.Step) -> Future[bool]:
+    """Builds in a thread that an interrupt need not wait for."""
+    built: Future[bool] = Future()
+
+    def run() -> None:
+        try:
+            built.set_result(build(step))
+        except BaseException as error:
+            built.set_exception(error)
+
+    threading.Thread(target=run, daemon=True).start()
+    return built
+
+
 class Behind(threading.Thread):
     """Builds what the reader can begin without. One step that fails stops no other."""
 
@@ -340,10 +360,14 @@ def where_things_lie(address: str, *, ebook: bool) -> str:
 def serve(port: int, *, once: bool, ebook: bool) -> int:
     # The home page leads to the e-book only where there is one, or will be.
     os.environ["CONTACT_BOOK_EBOOK"] = "1" if once or ebook or steps.EBOOK.exists() else "0"
-    os.environ["CONTACT_BOOK_PAGES"] = str(steps.BUILD / "pages")
     if not build(steps.SCRIPTS_ONLY):
         return 1
-    lessons = Lessons(steps.BUILD / "pages")
+    with tempfile.TemporaryDirectory(prefix="pages-", dir=steps.BUILD) as folder:
+        return serve_from(Lessons(Path(folder)), folder, port, once=once, ebook=ebook)
+
+
+def serve_from(lessons: Lessons, folder: str, port: int, *, once: bool, ebook: bool) -> int:
+    """Builds and serves; Sphinx tells in the folder which pages are written."""
     waiting = Waiting(*steps.waiting_parts())
     server = open_server(port, waiting, lessons)
     port = server.server_address[1]
@@ -351,16 +375,16 @@ def serve(port: int, *, once: bool, ebook: bool) -> int:
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     try:
         thread.start()
-        with ThreadPoolExecutor(1) as beside:
-            built = beside.submit(build, steps.LESSONS)
-            while not built.done() and lessons.to_come("/"):
-                time.sleep(0.2)
-            if not built.done() or built.result():
-                print(
-                    where_things_lie(f"http://127.0.0.1:{port}/", ebook=once or ebook), flush=True
-                )
+        os.environ["CONTACT_BOOK_PAGES"] = folder
+        built = build_beside(steps.LESSONS)
+        while not built.done() and not lessons.is_ready("index"):
+            time.sleep(0.2)
+        if not built.done() or built.result():
+            address = f"http://127.0.0.1:{port}/"
+            print(where_things_lie(address, ebook=once or ebook), flush=True)
         if not built.result():
             return 1
+        del os.environ["CONTACT_BOOK_PAGES"]
         lessons.built = True
         behind.start()
         if once:

@@ -6,12 +6,13 @@ import os from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
 import { promisify } from "node:util";
-import { mended } from "./compiler.mjs";
-import { pageFlags } from "./flags.mjs";
+import { mended, runTool } from "./compiler.mjs";
+import { moduleLink, pageFlags, testFlags } from "./flags.mjs";
 import { forgetSources } from "./headers.mjs";
+import { nativeWords } from "./native_compiler.mjs";
 import { inRoot } from "./paths.mjs";
 import { makeAll } from "./pool.mjs";
-import { figureRecipe } from "./products.mjs";
+import { exceptionRuntime, figureRecipe } from "./products.mjs";
 import { Changed, isMade, key, made, make } from "./recipes.mjs";
 
 const run = promisify(execFile);
@@ -22,6 +23,7 @@ after(() => fs.rmSync(folder, { recursive: true, force: true }));
 const mark = `${process.pid}_${Date.now()}`;
 const source = path.join(folder, "small.cpp");
 const header = path.join(folder, "answer.hpp");
+fs.writeFileSync(header, "#pragma once\n");
 const unrelated = path.join(folder, "unrelated.hpp");
 
 /** @param {string} body @returns {import("./recipes.mjs").Compile} */
@@ -90,23 +92,59 @@ test("a source that is saved while it is compiled gives no product under its old
   assert.equal(isMade(old), false);
 });
 
-test("a figure by the native compiler is, to the byte, the same by the page's compiler", async () => {
+test("by the native compiler a module is, to the byte, the same as by the page's compiler", async () => {
   const folders = ["01_planes", "00_vectors"].map((slug) => inRoot("chapters", slug));
-  const { part } = figureRecipe(inRoot("page", "wasm", "fixtures", "stops.cpp"), folders);
-  assert.ok(part.tool === "link");
-  const by = (/** @type {boolean} */ inPage) => ({
-    ...part,
-    parts: part.parts.map((one) => {
-      assert.ok(one.tool === "compile");
-      const { pch: _, ...alone } = one;
-      return { ...alone, inPage, flags: [...one.flags, `-DMARK_${mark}`] };
-    }),
-  });
-  const [native, inPage] = [by(false), by(true)];
-  assert.notEqual(key(native), key(inPage));
-  const { failed } = await makeAll([native, inPage]);
-  assert.deepEqual([...failed.values()], []);
-  assert.deepEqual(made(key(native)), made(key(inPage)));
+  const figure = figureRecipe(inRoot("page", "wasm", "fixtures", "stops.cpp"), folders).part;
+  assert.ok(figure.tool === "link");
+  // With assertions of three libraries, which name files.
+  const asserting = {
+    ...small(`#include <contact/vector.hpp>\n#include <nlohmann/json.hpp>\n#include <vector>\n
+double at(const std::vector<contact::Vector3<double>>& list, int i, const char* text) {
+  return list[static_cast<std::size_t>(i)](i) + nlohmann::json::parse(text)["x"].get<double>();
+}`),
+    flags: testFlags,
+    folders: [inRoot("chapters", "00_vectors")],
+  };
+  const program = {
+    ...figure,
+    before: [...moduleLink.before, "--export-all"],
+    parts: [asserting, exceptionRuntime],
+  };
+  for (const recipe of [figure, program]) {
+    const by = (/** @type {boolean} */ inPage) => ({
+      ...recipe,
+      parts: recipe.parts.map((one) => {
+        if (one.tool !== "compile") return one;
+        const { pch: _, ...alone } = one;
+        return { ...alone, inPage, flags: [...one.flags, `-DMARK_${mark}`] };
+      }),
+    });
+    const [native, inPage] = [by(false), by(true)];
+    assert.notEqual(key(native), key(inPage));
+    const { failed } = await makeAll([native, inPage]);
+    assert.deepEqual([...failed.values()], []);
+    assert.deepEqual(made(key(native)), made(key(inPage)));
+  }
+});
+
+test("a file that the key does not know is not read", async () => {
+  fs.writeFileSync(path.join(folder, "hidden.hpp"), "#pragma once\n");
+  const recipe = { ...small('#define HIDDEN "hidden.hpp"\n#include HIDDEN'), folders: [folder] };
+  const { failed } = await makeAll([recipe]);
+  assert.match(failed.get(key(recipe)) ?? "", /reads a file that .*\n.*hidden\.hpp/);
+});
+
+test("what is saved halfway while it is compiled is no error of the source", async () => {
+  const recipe = small(`int before_${mark}() { return 2; }`);
+  const old = key(recipe);
+  small("int half(");
+  await assert.rejects(make(recipe, old, []), Changed);
+});
+
+test("both compilers are of one major version", async () => {
+  const { log } = await runTool(["clang++", "--version"], {}, "clang");
+  const major = /clang version (\d+)\./;
+  assert.equal((await nativeWords(["--version"])).match(major)?.[1], log.match(major)?.[1]);
 });
 
 test("a C++ error is reported in the compiler's words, and the rest is built", async () => {

@@ -1,5 +1,5 @@
-// Which files a source may include. The same list is what the compiler is given and what the cache's key is made
-// of, so nothing can be read that the key does not know.
+// Which files a source may include. The cache's key is made of the same list that the page's compiler is given; what
+// the native compiler reads is compared with it (recipes.mjs). So nothing is made from a file that the key does not know.
 
 import { createHash } from "node:crypto";
 import fs from "node:fs";

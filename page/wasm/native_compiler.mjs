@@ -1,5 +1,5 @@
-// Clang as a native program, for all C++ that is compiled before a reader comes: three times as quick as the same
-// version as WebAssembly (compiler.mjs), which compiles what a reader types. The headers and the libraries are the same.
+// Clang as a native program, for all C++ that is compiled before a reader comes: more than twice as quick as the same
+// major version as WebAssembly (compiler.mjs), which compiles what a reader types. Headers and libraries are the same.
 import { execFile } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
@@ -23,7 +23,8 @@ function native() {
     const packages = path.join(lib, python, "site-packages");
     if (!fs.existsSync(path.join(packages, packageName))) continue;
     const info = fs.readdirSync(packages).find((name) => /^ziglang-.*\.dist-info$/.test(name));
-    const version = info?.slice(`${packageName}-`.length, -".dist-info".length) ?? "";
+    if (!info) throw new Error(`${packageName} in ${packages} is not whole: run ./contact setup`);
+    const version = info.slice(`${packageName}-`.length, -".dist-info".length);
     found = { program: path.join(packages, packageName, "zig"), version };
     return found;
   }
@@ -87,29 +88,78 @@ export function fromRoot(file) {
   return inside.startsWith("..") ? file : inside;
 }
 
+/** Programs that are running, to be ended with this process. @type {Set<import("node:child_process").ChildProcess>} */
+const running = new Set();
+process.on("exit", () => {
+  for (const child of running) child.kill("SIGKILL");
+});
+
 /**
  * Runs the compiler in the root of the repository.
- * @param {string[]} args flags as flags.mjs has them, which name libraries where compiler.mjs has them; files by fromRoot()
+ * @param {string[]} flags as flags.mjs has them, with the names that compiler.mjs knows libraries by
+ * @param {string[]} rest other arguments; files by fromRoot()
  * @param {string} what for the message when it fails
- * @returns {Promise<string>} what it said
+ * @returns {Promise<{ log: string, read: string[] }>} what it said, and the files that it read but for its own
  */
-export async function runNative(args, what) {
+export async function runNative(flags, rest, what) {
   const usr = await resources();
   const system = packages();
-  const real = (/** @type {string} */ arg) => {
-    if (arg.startsWith("/usr")) return usr + arg.slice("/usr".length);
-    if (arg === `/${systemRoot}/eigen3`) return eigenDir;
-    if (arg === `/${systemRoot}`) return system;
-    return arg === `/${assertionsFolder}` ? assertionsFolder : arg;
+  /** @type {[string, string][]} */
+  const places = [
+    [usr, "/usr"],
+    [eigenDir, `/${systemRoot}/eigen3`],
+    [system, `/${systemRoot}`],
+    [assertionsFolder, `/${assertionsFolder}`],
+  ];
+  const real = (/** @type {string} */ flag) => {
+    const place = places.find(([, name]) => flag === name || flag.startsWith(`${name}/`));
+    return place ? place[0] + flag.slice(place[1].length) : flag;
   };
+  const list = path.join(cacheDir, "native", `read.${process.pid}.${++runs}`);
+  const all = [
+    ...flags.slice(1).map(real),
+    // Whoever reads a message or an object finds the names that the page's compiler gives.
+    ...(flags[1] === "-cc1" ? places.map(([from, to]) => `-fmacro-prefix-map=${from}=${to}`) : []),
+    // The assembler reads one file.
+    ...(flags[1] === "-cc1" ? ["-dependency-file", list, "-MT", "it", "-sys-header-deps"] : []),
+    ...rest,
+  ];
+  try {
+    const log = await nativeWords(all, what);
+    const read = fs.existsSync(list) ? names(fs.readFileSync(list, "utf8")) : [];
+    const kept = path.join(cacheDir, path.sep);
+    return {
+      log,
+      read: read.map((file) => fs.realpathSync(file)).filter((file) => !file.startsWith(kept)),
+    };
+  } finally {
+    fs.rmSync(list, { force: true });
+  }
+}
+let runs = 0;
+
+/** The files of a rule for make. @param {string} rule */
+const names = (rule) =>
+  (rule.replace(/^it:/, "").match(/(?:\\[ #]|[^\s\\])+/g) ?? []).map((name) =>
+    path.resolve(root, name.replace(/\\([ #])/g, "$1").replaceAll("$$", "$")),
+  );
+
+/** What the program says. @param {string[]} args @param {string} [what] @returns {Promise<string>} */
+export function nativeWords(args, what = "clang") {
   return new Promise((resolve, reject) => {
     const options = { cwd: root, maxBuffer: 1 << 26 };
-    const all = ["clang", ...args.slice(1).map(real)];
-    execFile(native().program, all, options, (error, stdout, stderr) => {
-      if (!error) resolve(stdout + stderr);
-      else if (typeof error.code === "number")
-        reject(new CompileError(`${what} does not compile`, stdout + stderr));
-      else reject(new CompileError(`${what}: the compiler stopped: ${error.message}`, stderr));
-    });
+    const child = execFile(
+      native().program,
+      ["clang", ...args],
+      options,
+      (error, stdout, stderr) => {
+        running.delete(child);
+        if (!error) resolve(stdout + stderr);
+        else if (typeof error.code === "number")
+          reject(new CompileError(`${what} does not compile`, stdout + stderr));
+        else reject(new CompileError(`${what}: the compiler stopped: ${error.message}`, stderr));
+      },
+    );
+    running.add(child);
   });
 }

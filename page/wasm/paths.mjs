@@ -12,7 +12,10 @@ export const inRoot = (...parts) => path.join(root, ...parts);
 export const cacheDir = inRoot("build", "wasm-cache");
 
 /** Eigen's headers, as the machine has them. */
-export const eigenDir = process.env["EIGEN3_INCLUDE_DIR"] ?? "/usr/include/eigen3";
+export const eigenDir = path.resolve(
+  root,
+  process.env["EIGEN3_INCLUDE_DIR"] ?? "/usr/include/eigen3",
+);
 
 /** A path to show to a person: relative to the root when it is inside. @param {string} file */
 export function shown(file) {

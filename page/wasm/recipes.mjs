@@ -7,7 +7,7 @@ import { CompileError, compilerVersion, runTool } from "./compiler.mjs";
 import { assertionsFolder, precompileFlags } from "./flags.mjs";
 import { closure, forgetSources, sourceFile, virtualPath } from "./headers.mjs";
 import { fromRoot, nativeVersion, runNative } from "./native_compiler.mjs";
-import { cacheDir, inRoot, root } from "./paths.mjs";
+import { cacheDir, eigenDir, inRoot, root } from "./paths.mjs";
 import { definedNames, sealed } from "./seal.mjs";
 
 /**
@@ -56,10 +56,11 @@ export function key(recipe) {
   const add = (/** @type {string[]} */ ...texts) => {
     for (const text of texts) hash.update(`${text.length}:${text}`);
   };
-  add("1", recipe.tool, compilerVersion());
+  add("2", recipe.tool, compilerVersion());
   if (recipe.tool === "compile" || recipe.tool === "precompile") {
-    // A precompiled header names its files by where they are.
-    if (!recipe.inPage) add(nativeVersion(), recipe.tool === "precompile" ? root : "");
+    if (!recipe.inPage) add(nativeVersion());
+    // It names its files by where they are.
+    if (!recipe.inPage && recipe.tool === "precompile") add(root, eigenDir);
     add(...recipe.flags, "", ...recipe.folders.map(virtualPath), "");
     for (const { virtual, hash } of filesOf(recipe)) add(virtual, hash);
   }
@@ -154,17 +155,36 @@ async function makeNatively(recipe, name, needed) {
   const flags = recipe.tool === "precompile" ? [...recipe.flags, ...precompileFlags] : recipe.flags;
   const [header] = needed;
   const include = header === undefined ? [] : ["-include-pch", cached(header)];
-  const args = [...flags, ...include, "-o", part, ...compilation(recipe, fromRoot)];
-  try {
-    const log = await runNative(args, recipe.what);
-    forgetSources();
-    if (key(recipe) !== name) throw new Changed(recipe.what);
-    fs.renameSync(part, target);
-    return log;
-  } finally {
+  const rest = [...include, "-o", part, ...compilation(recipe, fromRoot)];
+  /** @type {unknown} */
+  let error;
+  const { log, read } = await runNative(flags, rest, recipe.what).catch((thrown) => {
+    error = thrown;
+    return { log: "", read: [] };
+  });
+  const known = new Set([recipe, ...needs(recipe)].flatMap(filesRead));
+  const unknown = read.find((file) => !known.has(file));
+  // A source that was saved meanwhile may be why it does not compile.
+  forgetSources();
+  if (key(recipe) !== name) error = new Changed(recipe.what);
+  else if (unknown)
+    error = new CompileError(
+      `${recipe.what} reads a file that headers.mjs does not find`,
+      `${unknown}: include it by its name, and not by a macro.`,
+    );
+  if (error) {
     fs.rmSync(part, { force: true });
+    throw error;
   }
+  fs.renameSync(part, target);
+  return log;
 }
+
+/** Where the files are that it may read. @param {Recipe} recipe */
+const filesRead = (recipe) =>
+  recipe.tool === "compile" || recipe.tool === "precompile"
+    ? filesOf(recipe).map(({ file }) => fs.realpathSync(file))
+    : [];
 
 /** A source was edited between the moment when its key was computed and the moment when it was read. */
 export class Changed extends Error {}

@@ -178,6 +178,7 @@ def test_the_server_says_what_is_waiting(tmp_path: Path) -> None:
 def serve_a_book_without_pages(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Server:
     monkeypatch.setattr(serve, "SITE", folder / "site")
     (folder / "site/chapters").mkdir(parents=True)
+    (folder / "pages").mkdir()
     server = open_server(0, Waiting([]), Lessons(folder / "pages"))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return server
@@ -218,9 +219,21 @@ def test_a_page_that_is_not_written_says_so_until_it_is(
         server.server_close()
 
 
-def test_pages_that_were_built_before_are_served_meanwhile(
+def test_pages_of_a_whole_book_are_served_meanwhile_and_those_of_a_begun_one_are_not(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(serve, "SITE", tmp_path)
     (tmp_path / "index.html").write_text("the home page")
-    assert not Lessons(tmp_path / "pages").to_come("/")
+    assert Lessons(tmp_path).to_come("/")
+    (tmp_path / "offline.json").write_text("{}")
+    assert not Lessons(tmp_path).to_come("/")
+    assert Lessons(tmp_path).to_come("/chapters/a_new_one.html")
+
+
+def test_whether_a_page_is_ready_is_no_request_for_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(serve, "SITE", tmp_path)
+    lessons = Lessons(tmp_path)
+    assert not lessons.is_ready("index")
+    assert (tmp_path / "wanted").read_text() == ""

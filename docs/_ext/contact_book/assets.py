@@ -18,7 +18,10 @@ WORK_STYLE = "work.css"
 
 
 def sync(source: Path, target: Path, pattern: str = "*") -> int:
-    """Makes `target` a copy of `source`, touching only what differs; how many files it wrote."""
+    """Makes `target` a copy of `source`, touching only what differs; how many files it wrote.
+
+    Its folder of exercises is not ours (exercise_data.py).
+    """
     written = 0
     wanted: set[Path] = set()
     for path in sorted(source.rglob(pattern)):
@@ -26,14 +29,15 @@ def sync(source: Path, target: Path, pattern: str = "*") -> int:
         if path.is_dir():
             continue
         wanted.add(copy)
-        ours, theirs = path.stat(), copy.stat() if copy.is_file() else None
-        if theirs and (theirs.st_size, theirs.st_mtime_ns) == (ours.st_size, ours.st_mtime_ns):
+        new, old = path.stat(), copy.stat() if copy.is_file() else None
+        if old and (old.st_size, old.st_mtime_ns) == (new.st_size, new.st_mtime_ns):
             continue
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(path, copy)
         written += 1
     for path in sorted(target.rglob("*")):
-        if path.is_file() and path not in wanted:
+        ours = "exercises" not in path.relative_to(target).parts
+        if ours and path.is_file() and path not in wanted:
             path.unlink()
     return written
 

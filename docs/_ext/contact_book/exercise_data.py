@@ -126,9 +126,12 @@ def read_again(
     ]
 
 
-def publish(app: Sphinx, error: Exception | None) -> None:
-    """Writes the data to the folder of the pages when all pages are written."""
-    if error is not None or app.builder.format != "html" or app.builder.name == "epub":
+def publish(app: Sphinx, error: object) -> None:
+    """Writes the data to the folder of the pages: before the pages, which can be read at once.
+
+    And after them, for a build that has none to write (`error` is Sphinx's, if it failed).
+    """
+    if isinstance(error, Exception) or app.builder.format != "html" or app.builder.name == "epub":
         return
     products = Path(app.config.contact_products)
     target = Path(app.outdir) / "_static" / "contact" / "exercises"
@@ -137,9 +140,13 @@ def publish(app: Sphinx, error: Exception | None) -> None:
         if kept(products, ref).is_file():
             _write(target / f"{ref}.json", json.loads(kept(products, ref).read_text("utf-8")))
     _write(target / "book.json", book_json(open_book(app.config)))
+    current = {target / f"{ref}.json" for ref in wanted} | {target / "book.json"}
+    for file in sorted(set(target.rglob("*.json")) - current):
+        file.unlink()
 
 
 def connect(app: Sphinx) -> None:
     app.connect("env-get-outdated", read_again)
+    app.connect("write-started", publish)
     # Before what looks at all that the site is written in.
     app.connect("build-finished", publish, priority=400)

@@ -98,6 +98,7 @@ _drawn_ahead: dict[Path, Future[subprocess.CompletedProcess[str]]] = {}
 
 def draw_ahead(app: Sphinx, _env: BuildEnvironment, names: list[str]) -> None:
     """Begins the pictures of the lessons to be read, on another core than the reading."""
+    _drawn_ahead.clear()
     drawer = Path(app.config.contact_plotter)
     if not drawer.is_file():
         return

@@ -35,7 +35,7 @@ class PagesInOrder(Sequence[str]):
             left.remove(name)
             yield name
             # Who asks for the next one has written this one.
-            if self._folder:
+            if self._folder and self._folder.is_dir():
                 with (self._folder / "ready").open("a", encoding="utf-8") as ready:
                     ready.write(f"{name}\n")
 
