@@ -11,6 +11,8 @@ import socket
 import subprocess
 import sys
 import threading
+import time
+from collections.abc import Callable
 from pathlib import Path
 from queue import Empty, Queue
 
@@ -237,3 +239,45 @@ def test_whether_a_page_is_ready_is_no_request_for_it(
     lessons = Lessons(tmp_path)
     assert not lessons.is_ready("index")
     assert (tmp_path / "wanted").read_text() == ""
+
+
+# A server whose lessons take a minute.
+SLOW = """
+import sys, pathlib
+sys.path.insert(0, {tools!r})
+import serve, steps
+serve.SITE = pathlib.Path({site!r})
+steps.SCRIPTS_ONLY = steps.Step("the scripts", lambda: steps.run(["true"], "serve-test"))
+steps.LESSONS = steps.Step("the lessons", lambda: steps.run(["sleep", "61.25"], "serve-test"))
+sys.argv = ["serve", "--port", "0"]
+sys.exit(serve.main())
+"""
+
+
+def test_an_interrupt_ends_the_first_build(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-c", SLOW.format(tools=str(ROOT / "tools"), site=str(tmp_path))],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        lines = lines_of(process)
+        wait_for("Building the lessons", lines, 60)
+        children = wait_until(lambda: children_of(process.pid))
+        os.kill(process.pid, signal.SIGINT)
+        wait_for("Stopped", lines, 20)
+        assert process.wait(20) == 0
+        assert {child for child in children if Path(f"/proc/{child}").exists()} == set()
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+
+
+def wait_until(asked: Callable[[], list[int]], seconds: float = 20) -> list[int]:
+    end = time.monotonic() + seconds
+    while not (found := asked()) and time.monotonic() < end:
+        time.sleep(0.05)
+    return found
