@@ -256,7 +256,7 @@ export default defineFigure<Input, Output>({
       },
       {
         name: "entry",
-        meaning: "of the others, off by at most",
+        meaning: "of the other rays, off by at most",
         value: metres(output.rays_off),
         role: output.rays_off >= VISIBLE ? "miss" : "ink",
       },
@@ -272,7 +272,7 @@ export default defineFigure<Input, Output>({
       : `the ${part}${far} does not hit it`;
     const wrong = METHODS.filter((_, i) => output.wrong[i] || off(output, i));
     const others = wrong.length ? `Wrong here: ${wrong.join(", ")}.` : "All methods agree.";
-    const outline = `Of ${output.ray_finds.length} parallel rays the chosen method decides ${output.rays_wrong} wrongly; the other entries are off by up to ${metres(output.rays_off)}.`;
+    const outline = `Of ${output.ray_finds.length} parallel rays the chosen method decides ${output.rays_wrong} wrongly; the entries of the others are off by up to ${metres(output.rays_off)}.`;
     return `The line ${MEETS[output.meets]}, and ${found}. ${others} ${outline}`;
   },
 });
