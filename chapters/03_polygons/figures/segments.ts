@@ -76,7 +76,7 @@ export default defineFigure<Input, Output>({
         { value: 10, label: "divided by 10" },
       ],
     },
-    { kind: "slider", field: "far", label: "k, moved by 2ᵏ m", min: 0, max: 50, step: 1 },
+    { kind: "slider", field: "far", label: "k > 0: moved by 2ᵏ m", min: 0, max: 50, step: 1 },
     floatOrDouble,
     ...ENDS.map((field, i) => ({
       kind: "numbers" as const,
