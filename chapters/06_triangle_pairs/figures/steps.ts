@@ -262,6 +262,6 @@ export default defineFigure<Input, Output>({
       .filter(([, count]) => count > 0)
       .map(([name, count]) => `${name} ${count}`);
     const red = near.length ? ` Red, because wrong: ${near.join(", ")} of ${SHIFTS}.` : "";
-    return `${meet}. ${others} Rows: T₁ moved along y by −${ULPS} to ${ULPS} ulps.${red}`;
+    return `${meet}. ${others} Rows: the answers with T₁ moved along y by −${ULPS} to ${ULPS} ulps.${red}`;
   },
 });
