@@ -196,7 +196,7 @@ export default defineFigure<Input, Output>({
       : "";
     return `The lecture’s circle starts from points ${output.low} and ${
       output.high
-    }, and has taken in ${taken(input)} of ${order}: radius ${pretty(
+    }, and has taken in the first ${taken(input)} of ${order}: radius ${pretty(
       output.radius,
     )} m.${lost} The smallest circle, by points ${by}, has ${pretty(output.smallest_radius)} m.`;
   },
@@ -205,7 +205,7 @@ export default defineFigure<Input, Output>({
 function missed(output: Output): Value {
   return {
     name: "missed",
-    meaning: "points taken in that are outside, by at most",
+    meaning: "points taken in but outside, and the largest distance",
     value: output.missed_count
       ? `${output.missed_count}, ${pretty(output.missed_most, 3)} m`
       : "none",
