@@ -195,7 +195,7 @@ export default defineFigure<Input, Output>({
     const bound =
       lower > 0
         ? `All of A − B is beyond the line through w, so the bodies are at least ${pretty(lower)} m apart: v separates them.`
-        : "The line through w does not leave the origin in front of it, so v does not separate the bodies.";
+        : "The line through w does not separate A − B from the origin, so v does not separate the bodies.";
     return `Step ${shown} of ${steps}: the simplex has ${vertices(count)}, and v is its point closest to the origin. w is the difference that is farthest towards the origin. ${bound}`;
   },
 });
