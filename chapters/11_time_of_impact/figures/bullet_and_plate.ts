@@ -327,12 +327,12 @@ export default defineFigure<Input, Output>({
       },
       {
         name: "put back",
-        meaning: "to the last free state before that",
+        meaning: "to the test before that overlap",
         value: sliced ? previous_free : "–",
       },
       {
         name: "interpolated",
-        meaning: "between the ends of that slice, by the gaps there",
+        meaning: "between these two tests, by their gaps",
         value: sliced ? interpolated_time : "–",
       },
       {
@@ -354,7 +354,7 @@ export default defineFigure<Input, Output>({
       },
       {
         name: "contact",
-        meaning: "the point on both surfaces then, m",
+        meaning: "the point on both surfaces at the touch, m",
         value: output.touches ? output.touch_point : "–",
       },
     ];
@@ -367,7 +367,7 @@ export default defineFigure<Input, Output>({
         : `The bullet and the disc do not touch in this step: their centres are never as close as the sum of their radii.${output.swept_meets ? " The volumes that they sweep meet, because each passes the crossing at another time." : ""}`;
     const exact = `They first touch after ${time(output.time)} of the step`;
     if (output.missed)
-      return `${exact}, and ${many.toLowerCase()} miss${output.slices === 1 ? "es" : ""} it: the start (${pretty(from[0], 3)}, ${pretty(from[1], 3)}) is in the coloured region, from which no test sees an overlap.`;
+      return `${exact}, and ${many.toLowerCase()} miss${output.slices === 1 ? "es" : ""} this touch: the start (${pretty(from[0], 3)}, ${pretty(from[1], 3)}) is in the coloured region, from which no test sees an overlap.`;
     return `${exact}. ${many} show${output.slices === 1 ? "s" : ""} an overlap at ${time(output.sliced_time)}, and ${output.halvings} halvings narrow that down to ${time(output.hit_time)}.`;
   },
 });

@@ -241,7 +241,7 @@ export default defineFigure<Input, Output>({
       play: 30,
     },
     { kind: "slider", field: "turns", label: "turns", min: -3, max: 3, step: 0.05 },
-    { kind: "slider", field: "samples", label: "samples", min: 1, max: 30, step: 1 },
+    { kind: "slider", field: "samples", label: "slices", min: 1, max: 30, step: 1 },
     {
       kind: "choice",
       field: "target",
@@ -290,21 +290,21 @@ export default defineFigure<Input, Output>({
     return [
       {
         name: "advance",
-        meaning: `starts after ${short(now)} of the step`,
+        meaning: `starts at t = ${short(now)} of the step`,
         value: `${shown} of ${advances}`,
         role: "ray",
       },
-      { name: "d", meaning: "distance then", value: distance, unit: "m", role: "normal" },
+      { name: "d", meaning: "distance at t", value: distance, unit: "m", role: "normal" },
       {
         name: "μ",
-        meaning: "in one step, no two points approach by more",
+        meaning: "no two points approach by more in a step",
         value: approach,
         unit: "m",
         role: "normal",
       },
       {
-        name: "d/μ",
-        meaning: shown < advances ? "no touch before the time" : "the search has ended at",
+        name: "t + d/μ",
+        meaning: shown < advances ? "no touch before this time" : "the search has ended at",
         value: next_time,
         role: "ray",
       },
@@ -351,7 +351,7 @@ export default defineFigure<Input, Output>({
           : `${steps} reach only ${pretty(time, 4)} of the step`;
     if (!touches) return `${found}.`;
     return overlapping === 0
-      ? `${found}; none of ${samples + 1} samples overlaps, so they pass it.`
-      : `${found}; ${overlapping} of ${samples + 1} samples overlap.`;
+      ? `${found}; the samples miss the touch: none of the ${samples + 1} overlaps.`
+      : `${found}; ${overlapping} of the ${samples + 1} samples overlap.`;
   },
 });
