@@ -266,7 +266,11 @@ export default defineFigure<Input, Output>({
         meaning: "fastest and slowest, s",
         value: [output.fastest, output.slowest],
       },
-      { name: "E/E_0", meaning: "energy about the rest, now", value: output.energy },
+      {
+        name: "E/E_0",
+        meaning: "energy of the vibration now, over that at the start",
+        value: output.energy,
+      },
     ];
   },
   describe({ scheme, step }, output) {
@@ -277,7 +281,7 @@ export default defineFigure<Input, Output>({
         ? `One box sags by ${lowest} m.`
         : `At rest the lowest of ${n} contacts overlaps by ${lowest} m, ${n} times as far as the highest, and the top sinks by ${pretty(output.top_sag, 2)} m.`;
     if (scheme === IMPLICIT)
-      return `${rest} Implicit Euler comes to rest with every step, also without a damper.`;
+      return `${rest} With a step of any length implicit Euler comes to rest, also without a damper.`;
     return step > output.limit
       ? `${rest} A step of ${pretty(step, 3)} s is too long for this stack: semi-implicit Euler grows.`
       : `${rest} Semi-implicit Euler with a step of ${pretty(step, 3)} s stays bounded and never comes to rest, since there is no damper.`;

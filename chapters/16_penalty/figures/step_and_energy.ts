@@ -231,7 +231,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slider",
       field: "phase",
-      label: "first overlap, in steps",
+      label: "first overlap, over v h",
       min: 0,
       max: 0.99,
       step: 0.01,
