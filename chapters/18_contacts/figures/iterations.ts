@@ -158,7 +158,7 @@ function residuals(scene: Scene, { shown }: Input, output: Output): void {
       offset: [-5, 4],
     });
   }
-  scene.label(at(0, 10), "residual, m/s", { ...small, offset: [6, 6] });
+  scene.label(at(0, 10), "residual, m/s", { ...small, offset: [6, -4] });
   scene.label(at(MOST, 1e-10), "iteration", { ...small, anchor: "end", offset: [0, 17] });
   scene.line(at(shown, 1e-10), at(shown, 10), { role: "muted", width: 1, dashed: true });
   for (const [numbers, role, width] of [
@@ -259,7 +259,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slider",
       field: "relaxation",
-      label: "over-relaxation of Gauss–Seidel",
+      label: "over-relaxation: factor of Gauss–Seidel's changes",
       min: 0.5,
       max: 1.9,
       step: 0.05,
@@ -339,7 +339,7 @@ export default defineFigure<Input, Output>({
     return [
       {
         name: "x",
-        meaning: "block solve of both contacts, N·s",
+        meaning: "both contacts at once (block solve), N·s",
         value: output.impulses,
         role: BLOCK,
       },
@@ -380,6 +380,6 @@ export default defineFigure<Input, Output>({
     const who = pushing[output.which] ?? "Both contacts push";
     if (output.singular)
       return `Both contacts act at one point, so the matrix has no inverse and only the sum of the impulses is determined; Gauss–Seidel needs ${iterations(output.needed)}, Jacobi ${counted(output.jacobi_needed)}.`;
-    return `${who}: the block solve finds it in one step. The coupling is ${pretty(output.coupling, 3)}; from this start Gauss–Seidel needs ${iterations(output.needed)} to a residual of 10⁻⁹ m/s, Jacobi ${counted(output.jacobi_needed)}.`;
+    return `${who}: solving for both at once takes one step. The coupling is ${pretty(output.coupling, 3)}; from this start Gauss–Seidel needs ${iterations(output.needed)} to a residual of 10⁻⁹ m/s, Jacobi ${counted(output.jacobi_needed)}.`;
   },
 });

@@ -289,7 +289,7 @@ export default defineFigure<Input, Output>({
       },
       {
         name: "d_2",
-        meaning: "the same, pyramid",
+        meaning: "distance in steps, pyramid",
         value: output.pyramid_distance,
         unit: "m",
         role: PYRAMID,
@@ -318,10 +318,10 @@ export default defineFigure<Input, Output>({
   },
   describe({ speed, friction, direction }, output) {
     const start = `At ${pretty(speed, 3)} m/s with μ = ${pretty(friction, 3)} the box stops after ${pretty(output.cone_distance, 4)} m with the cone, and by the formula after ${pretty(output.formula, 4)} m.`;
-    const pyramid = `With the pyramid, ${pretty(direction, 3)}° from the first tangent, it stops after ${pretty(output.pyramid_distance, 4)} m`;
+    const pyramid = `With the pyramid and a start at ${pretty(direction, 3)}° from the first tangent, it stops after ${pretty(output.pyramid_distance, 4)} m`;
     const aside = Math.abs(output.pyramid_aside);
     return aside < 1e-9
       ? `${start} ${pyramid}, on the straight line.`
-      : `${start} ${pyramid}, ${pretty(aside, 2)} m beside the straight line.`;
+      : `${start} ${pyramid}, ${pretty(aside, 2)} m to one side of the straight line.`;
   },
 });

@@ -210,7 +210,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slider",
       field: "ratio",
-      label: "mass of the top box, in others",
+      label: "mass of the top box ÷ mass of another",
       min: 0.1,
       max: 20,
       step: 0.1,
