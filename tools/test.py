@@ -497,16 +497,30 @@ def what_pages_tell(preset: str, chapters: Sequence[str]) -> Iterator[Check]:
 
 
 def sanitize() -> Iterator[Check]:
-    """All of them in every run, a chapter after the other.
-
-    Those of the turn come first: where a run ends before them all, the others come in the next two.
-    """
+    """Those of the turn, and what the change touches; sanitize_rest() takes the others."""
     yield once("configure sanitize", ["cmake", "--preset", "sanitize"])
     without_reports("sanitize")
-    first = sample(with_tests(), 3, "", kind="tests")
     yield build_of("sanitize", "support_tests", name="support")
     yield ctest("sanitize", "--exclude-regex", r"^(reference_tests|hard_cases)_")
-    for slug in [*first, *(slug for slug in with_tests() if slug not in first)]:
+    yield from sanitized(first_under_sanitizers())
+
+
+def sanitize_rest() -> Iterator[Check]:
+    """The other chapters, after the page and the book.
+
+    Where a run ends before, they come in the next two runs, and the page has been checked.
+    """
+    first = first_under_sanitizers()
+    yield from sanitized([slug for slug in with_tests() if slug not in first])
+
+
+def first_under_sanitizers() -> list[str]:
+    return sample(with_tests(), 3, "", kind="tests")
+
+
+def sanitized(chapters: Sequence[str]) -> Iterator[Check]:
+    """A chapter after the other."""
+    for slug in chapters:
         yield build_of("sanitize", *(f"{kind}_{slug}" for kind in KINDS_OF_TESTS), name=slug)
         yield ctest("sanitize", "--tests-regex", tests_of([slug]), name=slug)
         yield from what_pages_tell("sanitize", [slug])
@@ -884,6 +898,16 @@ STAGES = (
         "book", "the book without a warning, and served", 50, book, ("page", "wasm"), may_wait=True
     ),
     Stage("browser", "the book in a real browser", 80, browser, ("book",), Lane.WAITS, True),
+    Stage(
+        "sanitize-rest",
+        "the same as sanitize, of the chapters of other turns",
+        80,
+        sanitize_rest,
+        ("sanitize",),
+        may_wait=True,
+        low_priority=True,
+        may_be_empty=True,
+    ),
     Stage(
         "tidy",
         "clang-tidy over the reference headers and the library that judges",

@@ -346,3 +346,38 @@ def test_a_report_must_be_there_and_be_what_the_lesson_shows(tmp_path: Path, fau
         assert "hard_cases_02_triangles failed or did not run" in done.stderr
     if fault == "different":
         assert "not what the programs say" in done.stdout
+
+
+@pytest.mark.parametrize("allowed", [False, True])
+def test_a_stage_with_nothing_to_check_has_failed_unless_it_may_be_empty(
+    allowed: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CONTACT_SLICES", str(tmp_path / "slices"))
+    monkeypatch.delenv("CONTACT_CHAPTERS", raising=False)
+    stage = checks.Stage("some", "", 1, lambda: iter(()), may_be_empty=allowed)
+    assert checks.run_stage(stage).tally.failed == (0 if allowed else 1)
+
+
+@pytest.mark.parametrize("turn", range(3))
+def test_each_chapter_is_sanitized_once_in_a_run_and_first_in_one_of_three(
+    turn: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CONTACT_TOUCHED", "{}")
+    taken: list[list[str]] = []
+
+    def sanitized(chapters: list[str]) -> list[str]:
+        taken.append(list(chapters))
+        return []
+
+    monkeypatch.setattr(checks, "sanitized", sanitized)
+    ran = set()
+    for later in range(3):
+        monkeypatch.setenv("CONTACT_TURN", str(turn + later))
+        taken.clear()
+        list(checks.sanitize())
+        assert list(checks.sanitize_rest()) == []
+        first, rest = taken
+        assert sorted([*first, *rest]) == sorted(checks.with_tests())
+        assert first
+        ran |= set(first)
+    assert ran == set(checks.with_tests())
