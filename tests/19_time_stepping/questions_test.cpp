@@ -4,7 +4,6 @@
 #include <cmath>
 #include <contact/advance.hpp>
 #include <contact/ballistic.hpp>
-#include <contact/event_queue.hpp>
 #include <contact/rollback.hpp>
 #include <contact/spring_motion.hpp>
 #include <contact/two_balls_wall.hpp>
@@ -139,21 +138,6 @@ KEY("slices-for-a-pole") {
     }
     if (always) return static_cast<double>(slices);
   }
-}
-
-KEY("stale-event") {
-  // A, B, C are 0, 1, 2; the wall is −1. The events that are missing afterwards were stale.
-  contact::EventQueue<double> queue(3);
-  queue.push(1, 0, 1);
-  queue.push(2, 1, 2);
-  queue.push(3, 2, -1);
-  const auto event = queue.pop();
-  queue.invalidate(event->first);
-  queue.invalidate(event->second);
-  bool ball = false;
-  bool wall = false;
-  while (const auto next = queue.pop()) (next->second == -1 ? wall : ball) = true;
-  return ball && wall ? 0 : wall ? 1 : ball ? 2 : 3;
 }
 
 KEY("heavy-enough") {

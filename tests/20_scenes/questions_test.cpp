@@ -4,7 +4,6 @@
 #include <set>
 #include <vector>
 
-#include <contact/events/hard_spheres.hpp>
 #include <contact/plan/plan.hpp>
 
 #define CONTACT_FIGURE_NO_MAIN
@@ -14,9 +13,6 @@
 #include <contact/scene/scene_file.hpp>
 namespace passing {
 #include "figures/passing.cpp"
-}
-namespace divergence {
-#include "figures/divergence.cpp"
 }
 
 namespace questions_test {
@@ -150,57 +146,6 @@ KEY("not-proven") {
   return 0;
 }
 
-KEY("shortest-bounce") {
-  // The cutoff leaves out bounces of half of the tolerance.
-  return 1000 * contact::contact_time_cutoff(0.001, 10);
-}
-
-KEY("comparisons") {
-  constexpr std::size_t slots = 1024;
-  std::vector<double> time(slots);
-  for (std::size_t i = 0; i < slots; ++i) time[i] = 10 + static_cast<double>(i);
-  contact::EarliestQueue queue(slots);
-  int count = 0;
-  const auto before = [&](std::size_t i, std::size_t k) {
-    ++count;
-    return time[i] < time[k];
-  };
-  queue.play_all(before);
-  int most = 0;
-  for (std::size_t i = 0; i < slots; ++i) {
-    count = 0;
-    time[i] = -static_cast<double>(i) - 1;  // a new winner goes all the way up
-    queue.update(i, before);
-    most = std::max(most, count);
-  }
-  return static_cast<double>(most);
-}
-
-KEY("which-to-compute-anew") {
-  // A third ball had planned to hit one of the two. If it were predicted anew at once, no plan
-  // would ever be found stale.
-  contact::HardSphereSetup setup;
-  const auto add = [&setup](double x, double y, double vx, double vy) {
-    contact::HardBall one;
-    one.radius = 0.5;
-    one.mass = 1;
-    one.position = {x, y, 0};
-    one.velocity = {vx, vy, 0};
-    setup.balls.push_back(one);
-  };
-  add(0, 0, 1, 0);
-  add(2, 0, 0, 0);
-  add(2, 4, 0, -1);
-  constexpr contact::HardSphereEffects plane{
-      .dimension = 2, .gravity = false, .sizes = false, .restitution = false, .grid = false};
-  contact::HardSpheres<plane> run(setup);
-  run.advance(2);
-  const auto early = run.counts();
-  run.advance(4);
-  const auto late = run.counts();
-  return early.hits == 1 && early.stale == 0 && late.stale > 0 ? 1 : 2;
-}
-
 KEY("from-scene-to-run") {
   // What each item requires before it.
   const std::vector<std::set<int>> needs{{4}, {}, {1}, {0}, {2}};
@@ -221,43 +166,11 @@ KEY("from-scene-to-run") {
   return order;
 }
 
-KEY("hits-to-the-horizon") {
-  double error = 1e-16;
-  int hits = 0;
-  for (; error <= 1e-3; ++hits) error *= 1 + 2 * 1.0 / 0.1;
-  return static_cast<double>(hits);
-}
-
-KEY("one-more-digit") {
-  const auto hits_from = [](double digits) {
-    double hits = 0;
-    for (double lost = 0; lost < digits; lost += std::log10(21.0)) ++hits;
-    return hits;
-  };
-  const double factor = hits_from(100) / hits_from(16);
-  return factor > 5 && factor < 9 ? 0 : factor < 1.1 ? 2 : 1;
-}
-
 KEY("tight-step") {
   passing::Input in{1.6, 20, 0, 0.0145, 0.1, 0, 0};
   const double winning = passing::compute(in).tight;
   in.step = 0.025;
   return questions::Construct{winning, passing::compute(in).tight};
-}
-
-KEY("diverge-quickly") {
-  const auto with_aim = [](double x, double y) {
-    divergence::Input in;
-    in.from = {0.5, 1.6};
-    in.to = {x, y};
-    in.digits = 15;
-    in.post = 0.3;
-    in.shown = 40;
-    return divergence::compute(in).quick;
-  };
-  double winning = 0;
-  for (int k = 0; k < 40 && winning == 0; ++k) winning = with_aim(0.6 + 0.08 * k, 2.2);
-  return questions::Construct{winning, with_aim(2.4, 2.6)};
 }
 
 KEY("why-friction-stays") {

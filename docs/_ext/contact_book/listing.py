@@ -32,7 +32,7 @@ def language_of(path: Path) -> str:
 class Code(BookDirective):
     """A named region of a file, or the whole file when no region is named.
 
-    A page that belongs to no chapter may show any file of the book, by its path.
+    The file is named by its path in the chapter or, for any file of the book, from the book's root.
     """
 
     required_arguments = 1
@@ -45,7 +45,7 @@ class Code(BookDirective):
             path = self.book.chapter(self.here, self.source).folder / name
             if path.is_file():
                 return path
-        elif (self.book.root / name).is_file():
+        if (self.book.root / name).is_file():
             return self.book.root / name
         header = self.book.header(name)
         if header is not None:

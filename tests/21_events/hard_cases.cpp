@@ -230,7 +230,7 @@ void add_lines(hard_cases::Runner& runner) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  hard_cases::Runner runner("20_scenes");
+  hard_cases::Runner runner("21_events");
   add_pairs(runner);
   add_walls(runner);
   add_lines(runner);
