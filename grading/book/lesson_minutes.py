@@ -133,7 +133,7 @@ class _Shown:
     def code(self, argument: str) -> Listing:
         name, _, wanted = argument.partition(" ")
         # The chapter's own file first: examples of two chapters may have one name.
-        folders = [self.folder, *sorted((self.root / "chapters").iterdir())]
+        folders = [self.folder, self.root, *sorted((self.root / "chapters").iterdir())]
         known = [folder / name for folder in folders]
         path = next((file for file in known if file.is_file()), self.folder / name)
         text = self._text(path)

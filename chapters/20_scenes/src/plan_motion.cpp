@@ -273,7 +273,6 @@ CONTACT_SCENES_INLINE PlanInput plan_input(const Scene& scene, std::vector<std::
 /// contacts are tested, so rotation and rounding do not change the missing fall.
 CONTACT_SCENES_INLINE Decision plan_gravity(const PlanInput& q) {
   const Scene& scene = *q.scene;
-  // [gravity-rule]
   std::vector<Proof> proofs{
       {"Without gravity its term adds zeros.",
        {{"size of gravity", q.bounds.gravity, Relation::equal, 0, "none", "m/s²"}}},
@@ -289,14 +288,15 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanInput& q) {
       table.conditions.push_back(std::move(condition));
     proofs.push_back(std::move(table));
   }
+  // [fall-proof]
   const double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
   proofs.push_back(
       {"The error of a body that touches nothing is the fall that is left out, ½ g T².",
        {nothing_meets(q), fits_tolerance(q, "fall in the whole duration, ½ g T²", fall)},
        fall,
        "½ g T², the fall that is left out"});
+  // [/fall-proof]
   return decide(Effect::gravity, std::move(proofs), "Gravity changes velocities.");
-  // [/gravity-rule]
 }
 
 // [gyroscopic-rule]
