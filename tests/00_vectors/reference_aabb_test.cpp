@@ -52,6 +52,11 @@ TEMPLATE_TEST_CASE("sums are rounded outwards to the next number, and no further
   CHECK(contact::sum_down(-largest, -largest) == -infinity);
   CHECK(contact::sum_up(largest, std::numeric_limits<S>::denorm_min()) == infinity);
   CHECK(contact::sum_up(largest, -largest) == 0);
+  const S nan = std::numeric_limits<S>::quiet_NaN();
+  CHECK(std::isnan(contact::sum_up(nan, S(1))));
+  CHECK(std::isnan(contact::sum_down(S(1), nan)));
+  CHECK(std::isnan(contact::sum_up(infinity, -infinity)));
+  CHECK(contact::sum_up(infinity, S(1)) == infinity);
 }
 
 TEMPLATE_TEST_CASE("the box of a sphere contains it, and no smaller one does", "", float, double) {

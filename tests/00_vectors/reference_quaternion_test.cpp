@@ -78,6 +78,23 @@ TEST_CASE("the exponential map rotates by the given angle") {
   CHECK((tiny.w == 1 && tiny.v.y() == 5e-201));
 }
 
+TEST_CASE("the exponential map of numbers that are not finite is NaN, not a rotation") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double other : {0.0, 1.0}) {
+        Vector3<double> a = Vector3<double>::Constant(other);
+        a(axis) = bad;
+        const auto q = contact::exponential<double>(a);
+        CAPTURE(bad, axis, other);
+        CHECK(std::isnan(q.w));
+        for (int k = 0; k < 3; ++k) CHECK(std::isnan(q.v(k)));
+      }
+    }
+  }
+}
+
 TEST_CASE("an axis and an angle give the rotation that the exponential map gives") {
   Random random(1716);
   for (int i = 0; i < 500; ++i) {

@@ -185,7 +185,10 @@ TEST_CASE("volumes in cubic metres: flat, inside out, infinite, NaN, overflow") 
   CHECK(oriented(ones, no_axes) == 0);
   CHECK_FALSE(std::isfinite(oriented(ones, Axes(infinity * world))));
   CHECK((mesh_of(Hull{}, {}).triangles.empty() && volume(Hull{}, {}) == 0));
-  CHECK_FALSE(std::isfinite(volume(convex_hull(tetrahedron(1)), tetrahedron(1e200))));
+  CHECK(volume(convex_hull(tetrahedron(1)), tetrahedron(1e200)) == infinity);
+  const std::vector<Point> thin{
+      {0, 0, 0}, {0x1p400, 0, 0}, {0x1p400, 0x1p400, 0}, {0x1p400, 0, 0x1p200}};
+  CHECK(std::abs(volume(convex_hull(tetrahedron(1)), thin)) == 0x1p1000 / 6);
 }
 
 TEST_CASE("solids without triangles, kinds and shapes that do not exist, no pairs, no axes") {

@@ -108,12 +108,12 @@ Quaternion<S> from_axis_angle(const Vector3<S>& axis, const S& angle) {
 // [exponential]
 /// The rotation by the angle |a| about a: the exponential map, as a quaternion
 /// (cos ½|a|, sin ½|a| · a/|a|).
-/// @param a rotation vector, rad, finite
-/// @return of length 1 up to a few u; the identity for a = 0
+/// @param a rotation vector, rad
+/// @return of length 1 up to a few u; the identity for a = 0; four NaN if a number is not finite
 template <std::floating_point S>
 Quaternion<S> exponential(const Vector3<S>& a) {
-  const S largest = a.cwiseAbs().maxCoeff();
-  if (largest == S(0)) return {};
+  if (a.isZero(S(0))) return {};
+  const S largest = a.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
   const Vector3<S> share = a / largest;  // so that no square over- or underflows
   const S length = std::sqrt(share.dot(share));
   const auto half = sine_cosine<S>(largest * length / S(2));

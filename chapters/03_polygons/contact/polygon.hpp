@@ -64,8 +64,9 @@ Polygon<S> without_repeats(Polygon<S> polygon) {
 
 namespace polygon_detail {
 
-/// A vector as doubles: unchanged, for a float or a double.
+/// A vector as doubles: unchanged. A wider type would be rounded, so there is none for it.
 template <std::floating_point S>
+  requires(std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits)
 Vector2<double> in_double(const Vector2<S>& v) {
   return v.template cast<double>();
 }

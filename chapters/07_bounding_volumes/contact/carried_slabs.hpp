@@ -134,7 +134,7 @@ inline double slab_bound(const Kdop<double>& dop, const SlabTriple* triple,
   }
   double error = sum.bound;
   for (const RunningError& r : rest) error += (std::abs(r.value) + r.bound) * coordinates;
-  // sum_up() takes finite numbers only; of NaN it makes the lowest one.
+  // What is not finite is no bound.
   if (!std::isfinite(sum.value + error)) return std::numeric_limits<double>::infinity();
   return sum_up(sum.value, error * (1 + 16 * RunningError::u) + RunningError::floor);
 }

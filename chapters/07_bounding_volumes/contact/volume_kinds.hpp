@@ -137,10 +137,19 @@ inline Mesh<double> mesh_of(const Hull& hull, std::span<const Vector3<double>> p
   if (hull.dimension == 1) mesh.triangles.push_back({0, 1, 1});
   return mesh;
 }
-/// The volume of a hull; 0 if it is flat or has no vertex, NaN or ±∞ if a coordinate of its
-/// vertices is not finite or a product of three of them overflows (beyond about 1e102).
+/// The volume of a hull; 0 if it is flat or has no vertex, ∞ if it is beyond the largest number,
+/// NaN or ±∞ if a coordinate of its vertices is not finite.
 inline double volume(const Hull& hull, std::span<const Vector3<double>> points) {
-  return mesh_volume(mesh_of(hull, points)).value;
+  Mesh<double> mesh = mesh_of(hull, points);
+  double largest = 0;
+  for (const auto& vertex : mesh.vertices)
+    largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  // Far coordinates are scaled by a power of two: a product of three would overflow before the sum.
+  constexpr int large = 300;
+  if (!(largest > 0x1p300) || !std::isfinite(largest)) return mesh_volume(mesh).value;
+  const int exponent = std::ilogb(largest) - large;
+  for (auto& vertex : mesh.vertices) vertex *= std::ldexp(1.0, -exponent);
+  return std::ldexp(mesh_volume(mesh).value, 3 * exponent);
 }
 
 // [solids-meet]
