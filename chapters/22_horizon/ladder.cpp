@@ -301,7 +301,7 @@ Answer with_mean_flight(const Input& input, double spread) {
 double short_number(double x) { return std::nearbyint(x * 0x1p16) * 0x1p-16; }
 
 double distance_of(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
+  return norm(Pair<double>{a[0] - b[0], a[1] - b[1]});
 }
 
 /// A ball that overlaps no post, aimed at any point of the room.
@@ -328,14 +328,14 @@ Input billiard(generators::Random& random, double post, int hits) {
 }
 
 /// A whole number of centimetres.
-double any_post(generators::Random& random) { return random.integer(5, 40) * 0.01; }
+double any_post(generators::Random& random) { return random.integer(5, 40) / 100.0; }
 
-/// The first hit is a graze, with a cosine from 10⁻⁶ to 10⁻¹.
+/// The first hit is a graze, with a cosine from 2⁻²⁰ to 2⁻³.
 Input grazing(generators::Random& random, int hits) {
   for (;;) {
     Input input = billiard(random, any_post(random), hits);
     const auto which = static_cast<std::size_t>(random.integer(0, 3));
-    const double cosine = std::pow(10.0, random.uniform(-6, -1));
+    const double cosine = std::abs(random.magnitude(-20, -4));
     const double far = distance_of(input.from, posts[which]);
     const double offset = sum_of_radii(input) * std::sqrt(1 - cosine * cosine);
     const double along = std::sqrt(far * far - offset * offset);
@@ -372,7 +372,10 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
   });
   example.facts.push_back(ladder::number("on posts", on_posts));
   if (on_posts > 0) example.facts.push_back(ladder::number("least cosine there", least));
-  example.facts.push_back(ladder::number("digits by this method", got.digits));
+  if (std::isfinite(got.digits))
+    example.facts.push_back(ladder::number("digits by this method", got.digits));
+  else
+    example.facts.push_back({"digits by this method", "none: both are at the same point"});
   example.facts.push_back(ladder::number("digits, exact", right.digits));
   if (!(input.post > 0)) {
     example.note = "No figure: its room always has posts.";
@@ -385,7 +388,9 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
                     {"digits", {digits}},
                     {"post", {input.post}},
                     {"shown", {static_cast<double>(input.hits)}}};
-  example.note = "The figure moves the twin to the right, not perpendicular to the path.";
+  example.note =
+      "The figure moves the twin to the right, not perpendicular to the path, and computes in "
+      "double.";
   return example;
 }
 
