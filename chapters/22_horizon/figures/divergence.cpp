@@ -1,9 +1,15 @@
 // A billiard with four posts, played twice from positions that are very close together.
+#include "figures/four_posts.hpp"
+
 #include <algorithm>
 #include <contact/events/hard_spheres.hpp>
 #include <contact/figure.hpp>
 
 using Vector2 = Eigen::Matrix<double, 2, 1>;
+using four_posts::ball_radius;
+using four_posts::height;
+using four_posts::posts;
+using four_posts::width;
 
 struct Input {
   Vector2 from;   // the ball's centre, m
@@ -14,9 +20,6 @@ struct Input {
 };
 
 constexpr int most = 40;
-constexpr double ball_radius = 0.1;
-constexpr double width = 4;
-constexpr double height = 3;
 
 struct Output {
   double problem;
@@ -36,8 +39,6 @@ constexpr contact::HardSphereEffects plane{
     .dimension = 2, .gravity = false, .sizes = true, .restitution = false, .grid = false};
 
 using Place = std::array<double, 2>;
-constexpr std::array<Place, 4> posts{Place{1.05, 0.8}, Place{2.9, 0.95}, Place{2, 1.75},
-                                     Place{0.95, 2.3}};
 
 class Impacts : public contact::HardSphereObserver {
  public:
@@ -65,12 +66,12 @@ contact::HardSphereSetup room_with_posts(double post) {
 Output compute(const Input& in) {
   Output out{};
   if (!(in.post > 0)) out.problem = contact::figure::not_positive;
-  if (in.post > 0.4 || in.digits > 15 || in.shown > most ||
+  if (in.post > four_posts::largest_post || in.digits > 15 || in.shown > most ||
       std::max(in.from.cwiseAbs().maxCoeff(), in.to.cwiseAbs().maxCoeff()) > 1e3) {
     out.problem = contact::figure::too_large;
   }
-  if (out.problem == 0 &&
-      (in.post < 0.01 || in.digits < 1 || in.shown < 1 || (in.to - in.from).norm() < 1e-3)) {
+  if (out.problem == 0 && (in.post < four_posts::least_post || in.digits < 1 || in.shown < 1 ||
+                           (in.to - in.from).norm() < 1e-3)) {
     out.problem = contact::figure::too_small;
   }
   if (out.problem != 0) return out;
