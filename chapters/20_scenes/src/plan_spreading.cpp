@@ -241,13 +241,15 @@ CONTACT_SCENES_INLINE std::vector<FirstHit> first_hits(const PlanInput& q, doubl
 }
 
 CONTACT_SCENES_INLINE double spread_of_deflection(const FirstHit& hit, double error) {
-  const double b = std::min(1.0, hit.distance / hit.radius);
-  const double off = error / hit.radius;
-  const double square = std::max(0.0, (hit.radius - hit.distance) * (hit.radius + hit.distance)) /
-                        (hit.radius * hit.radius);  // cos² θ
-  const double change = 2 * b * off + off * off;
-  return 2 * (std::asin(std::sqrt(std::min(1.0, square + change))) -
-              std::asin(std::sqrt(std::max(0.0, square - change))));
+  // asin α − asin β by tan ½(α − β) = (sin α − sin β)/(cos α + cos β), which loses no digits
+  // however small the error is. A path farther out than the radius is not deflected.
+  const double inside = hit.radius - hit.distance + error;
+  if (!(inside > 0)) return 0;
+  const double outside = std::max(0.0, hit.radius - hit.distance - error);
+  const double apart = std::min(2 * error, inside);
+  const double cosines = std::sqrt(inside * std::max(0.0, hit.radius + hit.distance - error)) +
+                         std::sqrt(outside * (hit.radius + hit.distance + error));  // times R
+  return 4 * std::atan(apart / cosines);
 }
 
 CONTACT_SCENES_INLINE double first_hits_at_once(const PlanInput& q,

@@ -116,10 +116,13 @@ Output compute(const Input& in) {
       other.advance(now);
       if (impacts.on_post[k - 1]) {
         // [lens]
-        // At 1 m/s the distance between two impacts on posts equals the time.
-        lens *= 1 + 2 * (now - last) / reach;
+        // At 1 m/s the distance between two impacts on posts equals the time. Before the first one
+        // the paths are parallel.
+        if (out.on_posts > 0) {
+          lens *= 1 + 2 * (now - last) / reach;
+          out.way = (out.way * (out.on_posts - 1) + (now - last)) / out.on_posts;
+        }
         // [/lens]
-        out.way = (out.way * out.on_posts + (now - last)) / (out.on_posts + 1);
         out.on_posts += 1;
         last = now;
       }
