@@ -283,3 +283,13 @@ TEST_CASE("a crowd lies in a plane if each of its balls does, and each fixed bod
   step.bodies.back().position.z() = -1.125;
   at_edge(step, Effect::third_dimension, 0, 4);
 }
+
+TEST_CASE("an angular velocity whose square underflows is no reason to leave out its effect") {
+  // |w|^2 is 0 in double, and the displacement is not: no error at all is accepted.
+  Scene scene = empty(1, 0, 1, 0);
+  box(scene, {1, 2, 3}, 1, {0, 0, 0}).angular_velocity = {0x1p-600, 0x1p-600, 0x1p-600};
+  at_edge(scene, Effect::gyroscopic_term, 2, 1);
+  // Without rotation there is no displacement.
+  scene.bodies[0].angular_velocity = {0, 0, 0};
+  off(scene, Effect::gyroscopic_term);
+}

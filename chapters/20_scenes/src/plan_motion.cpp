@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -267,6 +268,10 @@ CONTACT_SCENES_INLINE PlanInput plan_input(const Scene& scene, std::vector<std::
 }
 // [/table]
 
+/// An error that is not 0 counts as at least this, m, because its factors may underflow: if the
+/// order of hits is required, an error of 0 is allowed, and the smallest other one is not.
+inline constexpr double least_error = std::numeric_limits<double>::min();
+
 /// Gravity is off if it is zero, if nothing moves, if a table cancels it, or if nothing touches
 /// anything and free fall over the whole duration is within the rest of the error budget: ½ g T² is
 /// then exactly the error. That also holds in a run without a gyroscopic term, or in float: no
@@ -289,7 +294,9 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanInput& q) {
     proofs.push_back(std::move(table));
   }
   // [fall-proof]
-  const double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
+  double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
+  // If the product underflows, it is an error nevertheless.
+  if (q.bounds.gravity > 0) fall = std::max(fall, least_error);
   proofs.push_back(
       {"The error of a body that touches nothing is the fall that is left out, ½ g T².",
        {nothing_meets(q), fits_tolerance(q, "fall in the whole duration, ½ g T²", fall)},
@@ -313,6 +320,9 @@ CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanInput& q) {
     const double alpha = (moments.max - moments.min) / moments.min * angular_velocity;
     aside = std::max(aside, detail::rounded_up(rotation_radius(body.shape) * alpha *
                                                scene.duration * scene.duration / 2));
+    if (rotation_radius(body.shape) > 0 && moments.max > moments.min &&
+        !body.angular_velocity.isZero(0))
+      aside = std::max(aside, least_error);
   }
   Proof still = smooth_balls(q);
   still.why = "Nothing rotates, or only as a ball does.";

@@ -64,7 +64,10 @@ def api_index(chapters: list[Chapter]) -> str:
 
 def pages(book: Book, docs: Path, *, api: bool) -> dict[str, str]:
     """Every source file by its place in the staged folder."""
-    made = {path.name: path.read_text(encoding="utf-8") for path in sorted(docs.glob("*.md"))}
+    # A folder of pages has an index of its own.
+    folders = [docs, *(path.parent for path in docs.glob("*/index.md"))]
+    files = sorted(path for folder in folders for path in folder.glob("*.md"))
+    made = {path.relative_to(docs).as_posix(): path.read_text(encoding="utf-8") for path in files}
     for chapter in book.chapters.values():
         if chapter.has_lesson:
             text = chapter.lesson.read_text(encoding="utf-8")
