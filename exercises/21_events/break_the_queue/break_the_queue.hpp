@@ -23,7 +23,8 @@ struct Tile {
 /// happen at the same time, and none at the end.
 std::vector<Tile> three_tiles();
 
-/// Tiles of which given::run is wrong, although it counts as many hits as there are in 10 s.
+/// Tiles of which given::run is wrong, although it counts as many hits as there are in 10 s. The
+/// first hit that it gets wrong is one of two tiles that never hit each other in this time.
 std::vector<Tile> right_number_of_hits();
 
 /// Tiles of which given::run is wrong, and the first hit that it gets wrong is too early: within

@@ -27,8 +27,8 @@ std::optional<double> time_to_hit(const Tile& a, const Tile& b, std::size_t axis
   const double closing = distance > 0 ? -velocity : velocity;
   if (gap < -1e-9 || closing <= 0) return std::nullopt;
   const double time = std::max(0.0, gap) / closing;
-  const double offset = b.position[other] - a.position[other] +
-                        (b.velocity[other] - a.velocity[other]) * time;
+  const double offset =
+      b.position[other] - a.position[other] + (b.velocity[other] - a.velocity[other]) * time;
   if (std::abs(offset) >= 1) return std::nullopt;
   return time;
 }
@@ -44,8 +44,8 @@ struct Prediction {
 
 /// A hit that happened.
 struct Hit {
-  double time;                 ///< s
-  std::size_t first, second;   ///< the tiles, by their indices
+  double time;                ///< s
+  std::size_t first, second;  ///< the tiles, by their indices
 };
 
 /// All hits in the order of their times, and the tiles at the end.
@@ -74,15 +74,16 @@ Run<Tile> run(std::vector<Tile> tiles, double until) {
   };
   const auto advance_to = [&](double time) {
     for (Tile& tile : tiles)
-      for (const std::size_t axis : {0, 1}) tile.position[axis] += tile.velocity[axis] * (time - now);
+      for (const std::size_t axis : {0, 1})
+        tile.position[axis] += tile.velocity[axis] * (time - now);
     now = time;
   };
 
   for (std::size_t i = 0; i < tiles.size(); ++i) predict(i);
   while (!queue.empty()) {
-    const auto earliest = std::min_element(
-        queue.begin(), queue.end(),
-        [](const Prediction& a, const Prediction& b) { return a.time < b.time; });
+    const auto earliest =
+        std::min_element(queue.begin(), queue.end(),
+                         [](const Prediction& a, const Prediction& b) { return a.time < b.time; });
     const Prediction next = *earliest;
     queue.erase(earliest);
     if (next.time > until) break;
