@@ -8,9 +8,10 @@ std::vector<Tile> three_tiles() {
   return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{0, -3}, {0, 1}}};
 }
 
-// The same, with a tile that the first one hits after 9 s. In the code it stops before.
+// The same, with a tile above that the middle one hits after 7 s. In the code the wrong hit turns
+// it aside before, and it misses that tile.
 std::vector<Tile> right_number_of_hits() {
-  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{0, -3}, {0, 1}}, {{4, 0.5}, {0, 0}}};
+  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{0, -3}, {0, 1}}, {{0, 6}, {0, 0}}};
 }
 
 // After 2 s the last tile hits the middle one from behind and leaves upwards. The middle one moves
