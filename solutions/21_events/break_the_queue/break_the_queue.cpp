@@ -9,9 +9,10 @@ std::vector<Tile> three_tiles() {
 }
 
 // The same, with a tile above that the middle one hits after 7 s. In the code the wrong hit turns
-// it aside before, and it misses that tile.
+// it aside before, and it misses that tile. At the start no hit of the lowest and the highest tile
+// is expected: the highest would believe it.
 std::vector<Tile> right_number_of_hits() {
-  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{0, -3}, {0, 1}}, {{0, 6}, {0, 0}}};
+  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{-0.5, -3}, {0, 1}}, {{0.5, 6}, {0, 0}}};
 }
 
 // After 2 s the last tile hits the middle one from behind and leaves upwards. The middle one moves

@@ -10,7 +10,7 @@ std::vector<Tile> three_tiles() {
 }
 
 std::vector<Tile> right_number_of_hits() {
-  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{0, -3}, {0, 1}}, {{0, 6}, {0, 0}}};
+  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{-0.5, -3}, {0, 1}}, {{0.5, 6}, {0, 0}}};
 }
 
 std::vector<Tile> too_early() {

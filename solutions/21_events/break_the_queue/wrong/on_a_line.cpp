@@ -8,7 +8,7 @@ namespace exercise {
 std::vector<Tile> three_tiles() { return {{{-6, 0}, {2, 0}}, {{0, 0}, {0, 0}}, {{6, 0}, {-3, 0}}}; }
 
 std::vector<Tile> right_number_of_hits() {
-  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{0, -3}, {0, 1}}, {{0, 6}, {0, 0}}};
+  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{-0.5, -3}, {0, 1}}, {{0.5, 6}, {0, 0}}};
 }
 
 std::vector<Tile> too_early() {
