@@ -11,8 +11,7 @@
 namespace {
 
 using namespace contact::testing;
-using exercise::Tile;
-using Tiles = std::vector<Tile>;
+using exercise::Tiles;
 using Whole = std::int64_t;
 
 constexpr Whole kOne = 1680;
@@ -68,14 +67,13 @@ void advance(std::vector<WholeTile>& tiles, Whole time) {
 }
 
 std::vector<WholeTile> whole_tiles(const Tiles& tiles) {
-  std::vector<WholeTile> whole;
-  for (const Tile& tile : tiles) {
-    WholeTile to{};
+  std::vector<WholeTile> whole(tiles.positions.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
-      to.position[k] = static_cast<Whole>(2 * tile.position[k]) * kOne / 2;
-      to.velocity[k] = static_cast<Whole>(tile.velocity[k]);
+      const auto axis = static_cast<Eigen::Index>(k);
+      whole[i].position[k] = static_cast<Whole>(2 * tiles.positions[i][axis]) * kOne / 2;
+      whole[i].velocity[k] = static_cast<Whole>(tiles.velocities[i][axis]);
     }
-    whole.push_back(to);
   }
   return whole;
 }
@@ -131,27 +129,25 @@ RightRun right_run(const Tiles& start, Whole until = kEnd) {
 
 // ---------------------------------------------------------------- where the given code is wrong
 
-using Positions = std::vector<std::array<double, 2>>;
+using Vectors = std::vector<Eigen::Vector2d>;
 
-Positions right_positions(const Tiles& start) {
-  Positions positions;
-  for (const WholeTile& tile : right_run(start).tiles)
-    positions.push_back({static_cast<double>(tile.position[0]) / kOne,
-                         static_cast<double>(tile.position[1]) / kOne});
-  return positions;
+given::Run given_run(const Tiles& start) {
+  return given::run(start.positions, start.velocities, 10);
 }
 
-Positions given_positions(const Tiles& start) {
-  Positions positions;
-  for (const Tile& tile : given::run(start, 10).tiles) positions.push_back(tile.position);
+Vectors right_positions(const Tiles& start) {
+  Vectors positions;
+  for (const WholeTile& tile : right_run(start).tiles)
+    positions.emplace_back(static_cast<double>(tile.position[0]) / kOne,
+                           static_cast<double>(tile.position[1]) / kOne);
   return positions;
 }
 
 double error(const Tiles& start) {
-  const Positions given = given_positions(start), right = right_positions(start);
+  const Vectors given = given_run(start).positions, right = right_positions(start);
   double most = 0;
-  for (std::size_t i = 0; i < start.size(); ++i)
-    most = std::max(most, std::hypot(given[i][0] - right[i][0], given[i][1] - right[i][1]));
+  for (std::size_t i = 0; i < given.size(); ++i)
+    most = std::max(most, (given[i] - right[i]).norm());
   return most;
 }
 
@@ -159,7 +155,7 @@ bool is_wrong(const Tiles& start) { return error(start) > 0.01; }
 
 /// The first hit of the given code that does not happen.
 std::optional<given::Hit> first_wrong_hit(const Tiles& start) {
-  const std::vector<given::Hit> hits = given::run(start, 10).hits;
+  const std::vector<given::Hit> hits = given_run(start).hits;
   const std::vector<WholeHit> right = right_run(start).hits;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (i == right.size() || !right[i].is_of(hits[i].first, hits[i].second) ||
@@ -190,18 +186,19 @@ bool never_happens(const Tiles& start) {
 }
 
 bool same_number_of_hits(const Tiles& start) {
-  return given::run(start, 10).hits.size() == right_run(start).hits.size();
+  return given_run(start).hits.size() == right_run(start).hits.size();
 }
 
-double energy(const std::vector<std::array<double, 2>>& velocities) {
+/// Twice the kinetic energy per mass.
+double sum_of_squares(const Vectors& velocities) {
   double sum = 0;
-  for (const auto& v : velocities) sum += v[0] * v[0] + v[1] * v[1];
-  return sum / 2;
+  for (const Eigen::Vector2d& velocity : velocities) sum += velocity.squaredNorm();
+  return sum;
 }
 
 /// What the given code says of the start, in sentences.
 std::string told(const Tiles& start) {
-  const std::size_t counted = given::run(start, 10).hits.size();
+  const std::size_t counted = given_run(start).hits.size();
   std::string text = "The code counts " + std::to_string(counted) + " hits, and there are " +
                      std::to_string(right_run(start).hits.size()) + ".";
   const auto hit = first_wrong_hit(start);
@@ -217,17 +214,15 @@ std::string told(const Tiles& start) {
           std::to_string(hit->second) + " after " + contact::text_of(hit->time, {.digits = 3}) +
           " s, when they are " + contact::text_of(std::hypot(apart[0], apart[1]), {.digits = 3}) +
           " m apart.";
-  std::vector<std::array<double, 2>> before, after;
-  for (const Tile& tile : start) before.push_back(tile.velocity);
-  for (const Tile& tile : given::run(start, 10).tiles) after.push_back(tile.velocity);
-  if (energy(before) == energy(after)) text += " The kinetic energy is right all the same.";
+  if (sum_of_squares(start.velocities) == sum_of_squares(given_run(start).velocities))
+    text += " The kinetic energy is right all the same.";
   return text;
 }
 
 auto judged(bool (*asked_for)(const Tiles&)) {
   return [asked_for](const Tiles& start) {
     return Judged{is_wrong(start) && asked_for(start),
-                  contact::text_of(given_positions(start), {.digits = 4}),
+                  contact::text_of(given_run(start).positions, {.digits = 4}),
                   contact::text_of(right_positions(start), {.digits = 4}), told(start)};
   };
 }
@@ -245,9 +240,10 @@ bool all_void_after_the_end(const Tiles& start) {
 
 /// Whether all tiles are in one row, or in one column, and stay there.
 bool in_one_row(const Tiles& start) {
+  const std::vector<WholeTile> tiles = whole_tiles(start);
   const auto same = [&](std::size_t k) {
-    return std::all_of(start.begin(), start.end(), [&](const Tile& tile) {
-      return tile.position[k] == start[0].position[k] && tile.velocity[k] == start[0].velocity[k];
+    return std::all_of(tiles.begin(), tiles.end(), [&](const WholeTile& tile) {
+      return tile.position[k] == tiles[0].position[k] && tile.velocity[k] == tiles[0].velocity[k];
     });
   };
   return same(0) || same(1);
@@ -279,22 +275,16 @@ bool wrong_hit_without_effect(const Tiles& start) {
   return !is_wrong(start) && first_wrong_hit(start);
 }
 
-bool is_on_half_metres(const Tile& tile) {
-  return std::all_of(tile.position.begin(), tile.position.end(),
-                     [](double x) { return std::abs(x) <= 20 && 2 * x == std::floor(2 * x); });
-}
-
-bool has_whole_velocity(const Tile& tile) {
-  return std::all_of(tile.velocity.begin(), tile.velocity.end(),
-                     [](double v) { return std::abs(v) <= 4 && v == std::floor(v); });
+bool on_half_metres(const Tiles& tiles) {
+  return std::all_of(tiles.positions.begin(), tiles.positions.end(), [](const Eigen::Vector2d& at) {
+    return all_within(at, 20) && all_whole(Eigen::Vector2d(2 * at));
+  });
 }
 
 bool none_touch(const Tiles& tiles) {
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
+  for (std::size_t i = 0; i < tiles.positions.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      const double x = tiles[i].position[0] - tiles[k].position[0];
-      const double y = tiles[i].position[1] - tiles[k].position[1];
-      if (std::max(std::abs(x), std::abs(y)) <= 1) return false;
+      if ((tiles.positions[i] - tiles.positions[k]).lpNorm<Eigen::Infinity>() <= 1) return false;
     }
   }
   return true;
@@ -302,14 +292,15 @@ bool none_touch(const Tiles& tiles) {
 
 BreakIt<Tiles> question(std::string_view text) {
   return break_it<Tiles>(text)
-      .rule("there are at most six tiles", [](const Tiles& tiles) { return tiles.size() <= 6; })
-      .rule("every coordinate is a multiple of 0.5 m from -20 to 20 m",
+      .rule("there are as many velocities as positions, at most six",
             [](const Tiles& tiles) {
-              return std::all_of(tiles.begin(), tiles.end(), is_on_half_metres);
+              return tiles.positions.size() <= 6 &&
+                     tiles.velocities.size() == tiles.positions.size();
             })
+      .rule("every coordinate is a multiple of 0.5 m from -20 to 20 m", on_half_metres)
       .rule("every component of a velocity is a whole number from -4 to 4 m/s",
             [](const Tiles& tiles) {
-              return std::all_of(tiles.begin(), tiles.end(), has_whole_velocity);
+              return all_within(tiles.velocities, 4) && all_whole(tiles.velocities);
             })
       .rule("no two tiles touch at the start", none_touch)
       .rule("no two tiles touch at their corners alone",
@@ -332,7 +323,8 @@ BreakIt<Tiles> question(std::string_view text) {
 
 TEST_CASE("three tiles end at wrong positions") {
   question("Of which three tiles does the code get the positions wrong?")
-      .rule("there are exactly three tiles", [](const Tiles& tiles) { return tiles.size() == 3; })
+      .rule("there are exactly three tiles",
+            [](const Tiles& tiles) { return tiles.positions.size() == 3; })
       .input("tiles", [] { return exercise::three_tiles(); })
       .judge(judged([](const Tiles&) { return true; }));
 }

@@ -5,10 +5,10 @@
 
 namespace exercise {
 
-std::vector<Tile> three_tiles() { contact::todo(); }
+Tiles three_tiles() { contact::todo(); }
 
-std::vector<Tile> right_number_of_hits() { contact::todo(); }
+Tiles right_number_of_hits() { contact::todo(); }
 
-std::vector<Tile> too_early() { contact::todo(); }
+Tiles too_early() { contact::todo(); }
 
 }  // namespace exercise

@@ -6,29 +6,29 @@
 
 namespace exercise {
 
-/// A square of 1 m with sides along x and y, that slides without friction and does not rotate. All
-/// tiles have the same mass. When a side of one hits a side of another, the two exchange their
-/// velocities along the axis that is perpendicular to these sides, as in an elastic collision.
-struct Tile {
-  std::array<double, 2> position;  ///< x and y of the centre, m
-  std::array<double, 2> velocity;  ///< x and y, m/s
+/// Squares of 1 m with sides along x and y, which slide without friction and do not rotate. All
+/// have the same mass. When a side of one hits a side of another, the two exchange their velocities
+/// along the axis that is perpendicular to these sides, as in an elastic collision.
+struct Tiles {
+  std::vector<Eigen::Vector2d> positions;   ///< of the centres, m
+  std::vector<Eigen::Vector2d> velocities;  ///< of the same tiles in the same order, m/s
 };
 
 /// Three tiles of which given::run is wrong: after 10 s at least one of them is more than 0.01 m
 /// from where it should be.
 ///
-/// Like all tiles here, they are at most six; every coordinate is a multiple of 0.5 m from -20 to
-/// 20 m, and every component of a velocity is a whole number from -4 to 4 m/s. No two touch at the
-/// start. In the right run of 10 s no two tiles ever touch at their corners alone, no two hits
-/// happen at the same time, and none at the end.
-std::vector<Tile> three_tiles();
+/// Like the other functions' tiles, they are at most six; every coordinate is a multiple of 0.5 m
+/// from -20 to 20 m, and every component of a velocity is a whole number from -4 to 4 m/s. No two
+/// touch at the start. In the right run of 10 s no two tiles ever touch at their corners alone, no
+/// two hits happen at the same time, and none at the end.
+Tiles three_tiles();
 
 /// Tiles of which given::run is wrong, although it counts as many hits as there are in 10 s. The
 /// first hit that it gets wrong is one of two tiles that never hit each other in this time.
-std::vector<Tile> right_number_of_hits();
+Tiles right_number_of_hits();
 
 /// Tiles of which given::run is wrong, and the first hit that it gets wrong is too early: within
 /// the 10 s, the same two tiles do hit each other later.
-std::vector<Tile> too_early();
+Tiles too_early();
 
 }  // namespace exercise

@@ -5,16 +5,12 @@
 
 namespace exercise {
 
-std::vector<Tile> three_tiles() {
-  return {{{-6, 0}, {1, 0}}, {{0, 0}, {-1, 0}}, {{0, -5}, {0, 0}}};
+Tiles three_tiles() { return {{{-6, 0}, {0, 0}, {0, -5}}, {{1, 0}, {-1, 0}, {0, 0}}}; }
+
+Tiles right_number_of_hits() {
+  return {{{-6, 0.5}, {0, 0}, {-0.5, -3}, {0.5, 6}}, {{1, 0}, {0, 0}, {0, 1}, {0, 0}}};
 }
 
-std::vector<Tile> right_number_of_hits() {
-  return {{{-6, 0.5}, {1, 0}}, {{0, 0}, {0, 0}}, {{-0.5, -3}, {0, 1}}, {{0.5, 6}, {0, 0}}};
-}
-
-std::vector<Tile> too_early() {
-  return {{{-8, 0}, {2, 0}}, {{0, 0.5}, {0, 0}}, {{-3, -1}, {1, 1}}};
-}
+Tiles too_early() { return {{{-8, 0}, {0, 0.5}, {-3, -1}}, {{2, 0}, {0, 0}, {1, 1}}}; }
 
 }  // namespace exercise
