@@ -17,10 +17,10 @@ struct Tiles {
 /// Three tiles of which given::run is wrong: after 10 s at least one of them is more than 0.01 m
 /// from where it should be.
 ///
-/// Like the other functions' tiles, they are at most six; every coordinate is a multiple of 0.5 m
-/// from -20 to 20 m, and every component of a velocity is a whole number from -4 to 4 m/s. No two
-/// touch at the start. In the right run of 10 s no two tiles ever touch at their corners alone, no
-/// two hits happen at the same time, and none at the end.
+/// Like those of the other functions: there are at most six tiles; every coordinate is a multiple
+/// of 0.5 m from -20 to 20 m, and every component of a velocity a whole number from -4 to 4 m/s. No
+/// two tiles touch at the start. In the right run of 10 s no two ever touch at their corners alone,
+/// no two hits happen at the same time, and none at the end.
 Tiles three_tiles();
 
 /// Tiles of which given::run is wrong, although it counts as many hits as there are in 10 s. The
