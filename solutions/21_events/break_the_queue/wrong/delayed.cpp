@@ -1,0 +1,14 @@
+// misconception: break-the-two-do-hit
+// caught by: a hit that never happens takes the place of another
+// seen: not found
+#include "break_the_queue.hpp"
+
+namespace exercise {
+
+Tiles three_tiles() { return {{{-6, 0.5}, {0, 0}, {0, -3}}, {{1, 0}, {0, 0}, {0, 1}}}; }
+
+Tiles right_number_of_hits() { return {{{-8, 0}, {0, 0.5}, {-3, -1}}, {{2, 0}, {0, 0}, {1, 1}}}; }
+
+Tiles too_early() { return {{{-8, 0}, {0, 0.5}, {-3, -1}}, {{2, 0}, {0, 0}, {1, 1}}}; }
+
+}  // namespace exercise
