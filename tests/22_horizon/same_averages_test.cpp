@@ -130,34 +130,40 @@ TEST_CASE("one value has no spread") {
   check({}, {}, 6);
 }
 
-TEST_CASE("means at the limit and beyond") {
+TEST_CASE("means far apart") {
   check({1, 3}, {2, 4}, 6);
   check({20, 21, 22}, {1, 2, 3}, 6);
   check({1, 2, 3}, {20, 21, 22}, 6);
-  // A distance of 3 and a standard error of 1, exactly.
-  check({-1, 1}, {3, 3}, 6);
-  check({3, 3}, {-1, 1}, 6);
-  // Without any spread.
-  check({4, 4, 4}, {4, 4}, 6);
-  check({4, 4, 4}, {5, 5}, 6);
+  check({4, 4, 4}, {5, 5}, 6);  // without any spread
 }
 
 TEST_CASE("a mean is better known than a value") {
   check({1, 1}, {8, 4}, 4);
   check({2, 3, 4, 2, 3, 4}, {5, 4, 5, 6, 5, 6}, 6);
   check({0, 9, 0, 9}, {5, 14, 5, 14}, 8);
-  // By n, the spread of two values comes out too small.
-  check({12, 11}, {8, 3}, 6);
-  check({1, 5}, {0, 0}, 4);
 }
 
 TEST_CASE("two errors add as squares") {
   check({7, 10}, {0, 7}, 6);
   check({10, 3}, {3, 1}, 4);
   check({2, 0}, {5, 11}, 4);
-  // The smaller sample has the larger spread.
+  // The smaller sample has the larger spread, or the larger one.
   check({8, 12, 11, 12, 10}, {7, 0}, 6);
-  check({0, 12, 0, 12, 0, 12, 0, 12}, {9, 10}, 4);
+  check({0, 12, 0, 12, 0, 12, 0, 12}, {9, 10}, 2);
+}
+
+TEST_CASE("the distances from the sample's own mean are too small") {
+  check({12, 11}, {8, 3}, 6);
+  check({1, 5}, {0, 0}, 4);
+  check({12, 11}, {4, 3}, 6);
+}
+
+TEST_CASE("exactly at the limit") {
+  // A distance of 3 and a standard error of 1.
+  check({-1, 1}, {3, 3}, 6);
+  check({3, 3}, {-1, 1}, 6);
+  check({-1, 1}, {4, 4}, 6);
+  check({4, 4, 4}, {4, 4}, 6);  // 0 and 0
 }
 
 TEST_CASE("large means, small spread") {
