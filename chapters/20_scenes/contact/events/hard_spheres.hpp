@@ -229,9 +229,6 @@ class HardSpheres final : public HardSphereRun {
     seen.is_void = other < balls_.size() && hits_[other] != plan.partner_hits;
     return seen;
   }
-  /// Whether the next event of moving ball i comes before that of k: earlier, or at the same time
-  /// with the lower indices.
-  bool precedes(std::size_t i, std::size_t k) const { return comes_first()(i, k); }
   /// The tournament over the moving balls.
   const EarliestQueue& queue() const { return queue_; }
   /// The cells, and which ball is in which.
