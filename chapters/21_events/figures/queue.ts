@@ -73,6 +73,11 @@ const place = (node: number): Vec2 => {
   return [across * WIDTH, TOP - level * STEP];
 };
 
+/** The rows of events under the tournament: the middle of the first, and a box's size. */
+const ROWS = -2.56;
+const ROW = 0.17;
+const BOX = 0.125;
+
 /** The discs that were part of the event shown. */
 const tookPart = (output: Output, disc: number): boolean =>
   output.kind > 0 && (disc === output.who || (output.kind === HIT && disc === output.whom));
@@ -118,15 +123,19 @@ function drawPrediction(scene: Scene, output: Output, disc: number): void {
   } else {
     scene.dot(to, role, 3);
   }
-  scene.label(
-    to,
-    `${name(disc)} ${pretty(output.hit_time[disc] ?? 0, 3)}${isVoid ? " void" : ""}`,
-    {
-      role,
-      offset: [6, -6],
-      size: "small",
-    },
-  );
+  // Two that predict the same hit share a label.
+  const other = output.partner[disc] ?? -1;
+  const both = output.partner[other] === disc && output.hit_time[other] === output.hit_time[disc];
+  if (both && other < disc) return;
+  const who = both ? `${name(disc)}, ${name(other)}` : name(disc);
+  const leftwards = to[0] < from[0] ? to[0] > 0.75 : to[0] > WIDTH - 0.75;
+  const time = pretty(output.hit_time[disc] ?? 0, 3);
+  scene.label(to, `${who} ${time}${isVoid ? " void" : ""}`, {
+    role,
+    offset: [leftwards ? -7 : 7, to[1] < from[1] ? 15 : -6],
+    anchor: leftwards ? "end" : "start",
+    size: "small",
+  });
 }
 
 function drawDiscs(scene: Scene, input: Input, output: Output): void {
@@ -167,15 +176,15 @@ function drawTournament(scene: Scene, output: Output): void {
     const leaf = node >= LEAVES;
     const replayed = (output.played[node] ?? 0) > 0 || (leaf && tookPart(output, winner));
     scene.dot(at, replayed ? "hit" : "muted", replayed ? 6 : 4, !replayed);
-    scene.label(
-      at,
-      node === 1 ? `${name(winner)} ${pretty(output.next_time[winner] ?? 0, 3)} s` : name(winner),
-      {
-        role: replayed ? "hit" : "ink",
-        offset: node === 1 ? [10, 4] : [9, 4],
-        size: "small",
-      },
-    );
+    const words =
+      node === 1 ? `${name(winner)} ${pretty(output.next_time[winner] ?? 0, 3)} s` : name(winner);
+    const leftChild = node > 1 && node % 2 === 0;
+    scene.label(at, words, {
+      role: replayed ? "hit" : "ink",
+      offset: leaf ? [0, 19] : [leftChild ? -9 : 9, node === 1 ? -2 : 4],
+      anchor: leaf ? "middle" : leftChild ? "end" : "start",
+      size: "small",
+    });
     if (!leaf) continue;
     const time = output.next_time[winner] ?? Infinity;
     const isVoid = (output.is_void[winner] ?? 0) > 0;
@@ -195,7 +204,7 @@ function drawTournament(scene: Scene, output: Output): void {
     for (const [i, text] of lines.entries())
       scene.label(at, text, {
         role: isVoid && !crosses ? "miss" : "muted",
-        offset: [0, 20 + 14 * i],
+        offset: [0, 33 + 14 * i],
         anchor: "middle",
         size: "small",
       });
@@ -204,17 +213,52 @@ function drawTournament(scene: Scene, output: Output): void {
 
 /** A row for each kind of event, with a cell for each of the first events. */
 function drawRows(scene: Scene, output: Output): void {
-  const row = (role: Role, has: (n: number) => boolean): (Role | undefined)[] =>
-    Array.from({ length: MOST }, (_, n) =>
-      has(n) ? (n + 1 === output.event ? "ink" : role) : undefined,
-    );
+  const left = WIDTH - MOST * BOX;
   const of = (kind: number) => (n: number) => output.kinds[n] === kind;
-  scene.strips([
-    { name: "hits", cells: row("hit", of(HIT)) },
-    { name: "make void", cells: row("a", (n) => (output.made_void[n] ?? 0) > 0) },
-    { name: "crossings", cells: row("muted", of(CROSSING)) },
-    { name: "void", cells: row("miss", of(VOID)) },
-  ]);
+  const rows: readonly [string, Role, (n: number) => boolean][] = [
+    ["hits", "hit", of(HIT)],
+    ["make void", "a", (n) => (output.made_void[n] ?? 0) > 0],
+    ["crossings", "muted", of(CROSSING)],
+    ["void", "miss", of(VOID)],
+  ];
+  for (const [row, [label, role, has]] of rows.entries()) {
+    const y = ROWS - row * ROW;
+    scene.line([left, y - ROW / 2], [WIDTH, y - ROW / 2], { role: "ghost", width: 1 });
+    scene.label([left, y], label, { role, offset: [-8, 4], anchor: "end", size: "small" });
+    for (let n = 0; n < MOST; n++) {
+      if (!has(n)) continue;
+      const [x, half] = [left + n * BOX, ROW / 2 - 0.02];
+      scene.face(
+        [
+          [x + 0.01, y - half],
+          [x + BOX - 0.01, y - half],
+          [x + BOX - 0.01, y + half],
+          [x + 0.01, y + half],
+        ],
+        { role, fill: 0.75 },
+      );
+    }
+  }
+  for (const n of [1, 5, 10, 15, 20]) {
+    scene.label([left + (n - 0.5) * BOX, ROWS + ROW / 2], pretty(n), {
+      role: "muted",
+      offset: [0, -4],
+      anchor: "middle",
+      size: "small",
+    });
+  }
+  if (!(output.event > 0)) return;
+  const [x, top, bottom] = [left + (output.event - 1) * BOX, ROWS + ROW / 2, ROWS - 3.5 * ROW];
+  scene.path(
+    [
+      [x, top],
+      [x + BOX, top],
+      [x + BOX, bottom],
+      [x, bottom],
+      [x, top],
+    ],
+    { role: "ink", width: 1.8 },
+  );
 }
 
 const handle = (
@@ -233,8 +277,8 @@ const handle = (
 
 export default defineFigure<Input, Output>({
   title: "A queue of predicted events",
-  view: { kind: "2d", x: [-0.05, 4.05], y: [-2.95, 3.05] },
-  aspect: 0.68,
+  view: { kind: "2d", x: [-0.05, 4.05], y: [-3.2, 3.05] },
+  aspect: 0.65,
   initial: {
     position_a: [2.45, 2.05],
     position_b: [1.9, 0.4],
