@@ -40,7 +40,7 @@ struct Output {
   std::array<double, most_cells> seen;    // 1: in or next to an event's disc's cell; 2: searched
   std::array<double, 2 * leaves> winner;  // at each node of the tournament; −1: none
   std::array<double, 2 * leaves> played;  // how often a node was played after this event
-  double matches;                         // their sum
+  double matches;                         // after this event
   std::array<double, most> kinds, made_void;  // of the first events, as far as there are any
   double hits, crossings, voids;              // processed
   double tests, all_tests;                    // of pairs of discs: with cells, and without
@@ -164,7 +164,8 @@ void replay(contact::EarliestQueue& queue, std::size_t disc,
   queue.update(disc, [&](std::size_t i, std::size_t k) { return order(i) < order(k); });
   for (std::size_t node = (leaves + disc) / 2; node >= 1; node /= 2) {
     ++out.played[node];
-    ++out.matches;
+    // Without an opponent there is no match.
+    out.matches += queue.winner(2 * node + 1) >= 0;
     const std::int32_t winner = queue.winner(node);
     if (winner == before.winner(node) && winner != static_cast<std::int32_t>(disc)) break;
   }

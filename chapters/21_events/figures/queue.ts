@@ -63,18 +63,20 @@ const point = (flat: readonly number[], disc: number): Vec2 => [
   flat[2 * disc + 1] ?? Number.NaN,
 ];
 
-/** The tournament under the table: its root above, and eight leaves below. */
+/** The tournament under the table: its root above, and below a leaf for each disc. */
 const LEAVES = 8;
 const TOP = -0.42;
 const STEP = 0.4;
 const place = (node: number): Vec2 => {
   const level = Math.floor(Math.log2(node));
-  const across = (node - 2 ** level + 0.5) / 2 ** level;
-  return [across * WIDTH, TOP - level * STEP];
+  const below = LEAVES / 2 ** level;
+  const first = (node - 2 ** level) * below;
+  const last = Math.min(first + below, LETTERS.length);
+  return [((first + last) / 2 / LETTERS.length) * WIDTH, TOP - level * STEP];
 };
 
 /** The rows of events under the tournament: the middle of the first, and a box's size. */
-const ROWS = -2.56;
+const ROWS = -2.7;
 const ROW = 0.17;
 const BOX = 0.125;
 
@@ -277,8 +279,8 @@ const handle = (
 
 export default defineFigure<Input, Output>({
   title: "A queue of predicted events",
-  view: { kind: "2d", x: [-0.05, 4.05], y: [-3.2, 3.05] },
-  aspect: 0.65,
+  view: { kind: "2d", x: [-0.05, 4.05], y: [-3.32, 3.05] },
+  aspect: 0.64,
   initial: {
     position_a: [2.45, 2.05],
     position_b: [1.9, 0.4],
