@@ -149,6 +149,8 @@ TEST_CASE("queue figure: the tests are those of discs in the cells that are sear
       const auto who = static_cast<std::size_t>(out.who);
       double wanted = 0;
       if (out.kind == 2) {
+        // One row or column of the neighbouring cells is new.
+        REQUIRE(std::count(out.seen.begin(), out.seen.end(), 2.0) <= 3);
         for (std::size_t i = 0; i < discs; ++i) {
           const auto at = cell_of(out, i);
           const int cell = at[1] * static_cast<int>(out.columns) + at[0];
