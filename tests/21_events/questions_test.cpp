@@ -5,7 +5,15 @@
 #include <contact/events/earliest_queue.hpp>
 #include <contact/events/hard_spheres.hpp>
 #include <contact/plan/plan.hpp>
+#include <contact/plan/plan_rules.hpp>
+#include <tuple>
 #include <vector>
+
+#define CONTACT_FIGURE_NO_MAIN
+#include <contact/figure.hpp>
+namespace queue {
+#include "figures/queue.cpp"
+}
 
 namespace questions_test {
 
@@ -22,6 +30,34 @@ KEY("stale-event") {
   bool wall = false;
   while (const auto next = queue.pop()) (next->second == -1 ? wall : ball) = true;
   return ball && wall ? 0 : wall ? 1 : ball ? 2 : 3;
+}
+
+KEY("two-at-once") {
+  // A and B hit each other; C above A and D below B would hit them later.
+  queue::Input in;
+  in.position_a = {1, 1.5};
+  in.velocity_a = {1, 0};
+  in.position_b = {2, 1.5};
+  in.velocity_b = {-1, 0};
+  in.position_c = {1, 2.3};
+  in.velocity_c = {1, -0.5};
+  in.position_d = {2, 0.7};
+  in.velocity_d = {-1, 0.5};
+  in.position_e = {3.5, 2.5};
+  in.position_f = {3.5, 1.5};
+  in.position_g = {3.5, 0.5};
+  in.velocity_e = in.velocity_f = in.velocity_g = {0, 0};
+  const auto won = [&in] {
+    double best = 0;
+    for (in.event = 0; in.event <= 10; ++in.event)
+      best = std::max(best, queue::compute(in).two_at_once);
+    return best;
+  };
+  const double winning = won();
+  // Aimed past them, C and D have predicted nothing about A and B.
+  in.velocity_c = {-1, 0};
+  in.velocity_d = {1, 0};
+  return questions::Construct{winning, won()};
 }
 
 KEY("shortest-bounce") {

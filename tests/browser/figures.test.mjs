@@ -324,6 +324,20 @@ describe("figures", { skip }, () => {
     await shown.close();
   });
 
+  ofAll("a point that is not shown has no grip", async () => {
+    const queue = { page: "chapters/21_events.html", name: "21_events/queue" };
+    const shown = await show(queue);
+    const grips = shown.figure.locator(".grip:visible");
+    assert.equal(await grips.count(), 14);
+    await shown.figure.locator('input[type="number"]').first().fill("3");
+    await shown.page.waitForTimeout(50);
+    assert.equal(await grips.count(), 0);
+    await shown.figure.getByRole("button", { name: "the start" }).click();
+    await shown.page.waitForTimeout(50);
+    assert.equal(await grips.count(), 14);
+    await shown.close();
+  });
+
   ofAll("a point that moves vertically stays in its section", async () => {
     const shown = await show(section);
     const start = /** @type {number[]} */ ((await shown.input())["p"]);

@@ -44,6 +44,8 @@ export interface PointHandle<Input> {
   readonly step?: number;
   /** Dragging and arrow keys stay within; typing does not. */
   readonly limit?: readonly [min: number, max: number];
+  /** Whether there is a grip in this state; without it, in every state. */
+  shown?(input: Input): boolean;
 }
 
 /** One number of the input, drawn as a grip that slides along a line. */

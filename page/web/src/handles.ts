@@ -61,6 +61,7 @@ export class Grip {
 
   #worldPoint(): Point | undefined {
     if (this.#handle.kind === "point") {
+      if (this.#handle.shown?.(this.#model.input) === false) return undefined;
       const origin = this.#origin();
       return this.#model
         .numbers(this.#handle.field)

@@ -46,6 +46,14 @@ class EarliestQueue {
   std::size_t first() const { return static_cast<std::size_t>(winner_[1]); }
   // [/queue]
 
+  /// The number of leaves: the slots' number, at least 2, rounded up to a power of two. Slot i is
+  /// node leaves() + i; node n plays its match between nodes 2 n and 2 n + 1, and node 1 is the
+  /// root.
+  std::size_t leaves() const { return leaves_; }
+  /// The slot that has won at a node, or −1 if none is below it.
+  /// @param node from 1 to 2 leaves() − 1
+  std::int32_t winner(std::size_t node) const { return winner_[node]; }
+
   /// Bytes that it holds.
   std::size_t bytes() const { return winner_.capacity() * sizeof(std::int32_t); }
 

@@ -56,6 +56,16 @@ struct HardSphereHit {
   Vector3<double> impulse = Vector3<double>::Zero();  ///< on the first, N·s
 };
 
+/// A ball's next event as it is stored in the queue, to be looked at.
+struct HardSpherePrediction {
+  double time = std::numeric_limits<double>::infinity();  ///< of the event, s; infinite: none
+  bool crossing = false;  ///< the ball leaves its cell before the hit, or there is no hit
+  double hit_time = std::numeric_limits<double>::infinity();  ///< of the earliest hit known, s
+  /// The other ball, or the number of balls plus the wall's index; −1: no hit is known.
+  std::int32_t partner = -1;
+  bool is_void = false;  ///< the partner was hit after the prediction, so the hit will not happen
+};
+
 /// Receives each hit.
 class HardSphereObserver {
  public:

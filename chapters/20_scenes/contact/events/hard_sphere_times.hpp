@@ -315,6 +315,16 @@ class HardSphereCells {
     return listed(cell_[ball], crossing.axis, crossing.towards, f);
   }
 
+  /// The cell in which a ball is listed, counted from the box's lower corner. It changes with
+  /// cross() alone, and not by more than the box has: a ball outside is in the nearest cell.
+  const std::array<std::int32_t, Dimension>& cell(std::size_t ball) const { return cell_[ball]; }
+  /// Edge of a cell, m.
+  double width() const { return width_; }
+  /// Lower corner of the first cell, m.
+  const Point& origin() const { return origin_; }
+  /// Number of cells along an axis.
+  std::size_t count(int axis) const { return count_[at(axis)]; }
+
   /// Bytes that it holds.
   std::size_t bytes() const {
     const std::size_t numbers =

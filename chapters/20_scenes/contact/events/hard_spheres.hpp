@@ -185,6 +185,56 @@ class HardSpheres final : public HardSphereRun {
   using HardSphereRun::advance;
   /// @endcond
 
+  /// Processes the next event alone, of whichever kind, and stops at its time. One after another,
+  /// these calls do what advance() does, with the same bits.
+  /// @return whether there was an event
+  bool advance_one_event(HardSphereObserver* observer = nullptr) {
+    const std::size_t i = queue_.first();
+    const HardSpherePrediction next = prediction(i);
+    if (next.time == never) return false;
+    if (next.crossing) {
+      cross(i, next.time);
+    } else if (next.is_void) {
+      now_ = std::max(now_, next.time);
+      ++counts_.stale;
+      predict(i);
+      queue_.update(i, comes_first());
+    } else {
+      // An observer that wants no more ends advance() right after the hit.
+      struct Once final : HardSphereObserver {
+        HardSphereObserver* to = nullptr;
+        bool on_hit(const HardSphereHit& hit) override {
+          if (to != nullptr) to->on_hit(hit);
+          return false;
+        }
+      } once;
+      once.to = observer;
+      advance(next.time, 1, &once);
+    }
+    return true;
+  }
+
+  /// @name What is stored, to be looked at. No call changes anything.
+  /// @{
+  /// A moving ball's next event.
+  HardSpherePrediction prediction(std::size_t ball) const {
+    const HitPlan& plan = plans_[ball];
+    HardSpherePrediction seen;
+    seen.time = plan_time(ball);
+    seen.crossing = seen.time != never && crosses_first(ball);
+    seen.hit_time = plan.hit_time;
+    if (plan.hit_time == never) return seen;
+    seen.partner = plan.partner;
+    const auto other = static_cast<std::size_t>(plan.partner);
+    seen.is_void = other < balls_.size() && hits_[other] != plan.partner_hits;
+    return seen;
+  }
+  /// The tournament over the moving balls.
+  const EarliestQueue& queue() const { return queue_; }
+  /// The cells, and which ball is in which.
+  const HardSphereCells<dimension>& cells() const requires(E.grid) { return cells_; }
+  /// @}
+
   double now() const override { return now_; }
   std::size_t moving() const override { return moving_; }
 
