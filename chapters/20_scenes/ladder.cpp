@@ -82,7 +82,7 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder.family("sliding", "a block slides until it stops", measured_scenes::sliding);
   ladder.family("line", "elastic balls on a line", measured_scenes::on_line);
   ladder.family("plate", "a fast elastic ball, a thin plate", measured_scenes::at_plate);
-  ladder.at_most(1000);
+  ladder.at_most(200);
 
   const auto method = [&ladder](const char* id, const char* title, Run run) {
     ladder.method({.id = id, .title = title, .scalar = "double", .exact = false},

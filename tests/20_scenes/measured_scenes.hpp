@@ -247,10 +247,10 @@ inline Input bouncing(generators::Random& random) {
 /// A flat block that slides over a level floor, from half the time until it stops to half of that
 /// time later. It is low enough not to tip over.
 inline Input sliding(generators::Random& random) {
-  const double friction = random.uniform(0.1, 0.6);
+  const double friction = random.uniform(0.3, 0.6);
   const Vector3<double> half{random.uniform(0.3, 0.6), random.uniform(0.2, 0.4),
                              random.uniform(0.05, 0.2)};
-  const double speed = random.uniform(1, 6);
+  const double speed = random.uniform(0.5, 2);
   contact::Scene scene =
       empty_scene(speed / (friction * gravity) * random.uniform(0.5, 1.5), 0, friction);
   scene.gravity = {0, 0, -gravity};
@@ -284,8 +284,8 @@ inline Input on_line(generators::Random& random) {
 /// A fast smooth ball that falls onto a thin fixed plate and bounces back, elastic: the scene of
 /// the figure `passing`, in which y is up.
 inline Input at_plate(generators::Random& random) {
-  const double thick = random.uniform(0.005, 0.1);
-  const double height = random.uniform(0.8, 1.4);
+  const double thick = random.uniform(0.01, 0.1);
+  const double height = random.uniform(1, 2);
   const double speed = random.uniform(5, 40);
   constexpr double radius = 0.1;
   contact::Scene scene = empty_scene(0.5, 1, 0);
