@@ -76,21 +76,24 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
 
 ladder::Ladder<Input, Answer> experiment() {
   ladder::Ladder<Input, Answer> ladder(
-      "Where are the bodies at the end?", [](const Input& input) { return input.truth; }, judge);
-  ladder.family("stones", "three rotating stones in the air", measured_scenes::stones);
-  ladder.family("bouncing", "a ball bounces until it rests, e < 1", measured_scenes::bouncing);
-  ladder.family("sliding", "a block slides until it stops", measured_scenes::sliding);
-  ladder.family("line", "elastic balls on a line", measured_scenes::on_line);
-  ladder.family("plate", "a fast elastic ball, a thin plate", measured_scenes::at_plate);
+      "Where are the bodies at the end, to a millimetre?",
+      [](const Input& input) { return input.truth; }, judge);
+  ladder.family("stones", "three rotating stones in flight: error in m", measured_scenes::stones,
+                true);
+  ladder.family("bouncing", "a ball bounces until it rests", measured_scenes::bouncing);
+  ladder.family("sliding", "a block slides until it stops: error in m", measured_scenes::sliding,
+                true);
+  ladder.family("line", "two or three elastic balls on a line", measured_scenes::on_line);
+  ladder.family("plate", "a fast ball at a thin plate", measured_scenes::at_plate);
   ladder.at_most(200);
 
   const auto method = [&ladder](const char* id, const char* title, Run run) {
     ladder.method({.id = id, .title = title, .scalar = "double", .exact = false},
                   [run](const Input& input) { return measured_scenes::run_of(input, run); });
   };
-  method("default-60", "1/60 s, no continuous detection", Run::default_60);
-  method("default-240", "1/240 s, no continuous detection", Run::default_240);
-  method("all-60", "1/60 s, all effects", Run::all_60);
+  method("default-60", "steps of 1/60 s, impacts at steps only", Run::default_60);
+  method("default-240", "steps of 1/240 s, impacts at steps only", Run::default_240);
+  method("all-60", "steps of 1/60 s, all effects", Run::all_60);
   ladder.method(
       {.id = "plan-and-run", .title = "planning and the planned run", .scalar = "as planned"},
       measured_scenes::plan_and_run);

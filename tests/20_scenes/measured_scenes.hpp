@@ -247,10 +247,10 @@ inline Input bouncing(generators::Random& random) {
 /// A flat block that slides over a level floor, from half the time until it stops to half of that
 /// time later. It is low enough not to tip over.
 inline Input sliding(generators::Random& random) {
-  const double friction = random.uniform(0.3, 0.6);
+  const double friction = random.uniform(0.4, 0.8);
   const Vector3<double> half{random.uniform(0.3, 0.6), random.uniform(0.2, 0.4),
                              random.uniform(0.05, 0.2)};
-  const double speed = random.uniform(0.5, 2);
+  const double speed = random.uniform(0.5, 1.5);
   contact::Scene scene =
       empty_scene(speed / (friction * gravity) * random.uniform(0.5, 1.5), 0, friction);
   scene.gravity = {0, 0, -gravity};
