@@ -5,8 +5,9 @@
 
 #include <20_scenes/measured_scenes.hpp>
 
-#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <variant>
 
 namespace {
 
@@ -93,10 +94,10 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder::Ladder<Input, Answer> ladder(
       "Where are the bodies at the end, to a millimetre?",
       [](const Input& input) { return input.truth; }, judge);
-  ladder.family("stones", "three rotating stones in flight: error in m", measured_scenes::stones,
-                true);
+  ladder.family("stones", "three rotating stones in flight: positions in m",
+                measured_scenes::stones, true);
   ladder.family("bouncing", "a ball bounces until it rests", measured_scenes::bouncing);
-  ladder.family("sliding", "a block slides until it stops: error in m", measured_scenes::sliding,
+  ladder.family("sliding", "a block slides until it stops: position in m", measured_scenes::sliding,
                 true);
   ladder.family("line", "two or three elastic balls on a line", measured_scenes::on_line);
   ladder.family("plate", "a fast ball at a thin plate", measured_scenes::at_plate);

@@ -5,20 +5,22 @@
 #include <20_scenes/measured_truth.hpp>
 #include <support/generators.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <contact/events/hard_sphere_compose.hpp>
 #include <contact/events/hard_spheres.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/make_scene_run.hpp>
+#include <contact/scene/scene.hpp>
 
 namespace measured_scenes {
 
