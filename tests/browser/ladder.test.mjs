@@ -61,6 +61,7 @@ const fails = {
     );
     return output.errors[way] > 0;
   },
+  passing: (output) => output.passes === 1,
   balls(output, _method, { family, failure }) {
     if (!/-(overlap|energy)$/.test(family)) return output.hits !== output.right_hits;
     const shown = family.endsWith("-overlap") ? output.overlap : output.energy_change;

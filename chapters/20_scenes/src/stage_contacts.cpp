@@ -167,8 +167,8 @@ CONTACT_SCENES_INLINE double turn_of_core(const SteppedSetup& setup, const NearP
 }
 
 /// For each mover, a bound on the error of its velocity that the contact forces of the last substep
-/// left, m/s. Where a heavy body lies on a light one, it is more than SteppedSetup::slow_speed.
-/// Empty if no contact pushed.
+/// left, m/s: the residual at which the solver ends, and rounding. Where a heavy body lies on a
+/// light one, it is more than SteppedSetup::slow_speed. Empty if no contact pushed.
 CONTACT_SCENES_INLINE std::vector<double> rounding_of_forces(const SteppedSetup& setup,
                                                              const SteppedState& state) {
   std::vector<double> rounding;
@@ -177,6 +177,7 @@ CONTACT_SCENES_INLINE std::vector<double> rounding_of_forces(const SteppedSetup&
     for (const int body : {state.touched[i].a, state.touched[i].b}) {
       const auto slot = static_cast<std::size_t>(body);
       if (slot >= setup.movers) continue;
+      if (rounding[slot] == 0) rounding[slot] = setup.solver.tolerance;
       const SteppedBody& solid = setup.bodies[slot];
       double inverse_effective_mass = 1 / solid.mass;
       if (rotated_by_contacts(setup, slot))
