@@ -15,6 +15,8 @@
 #include "plan_scenes.hpp"
 #include "soundness.hpp"
 
+// Named, because files of tests are compiled together.
+namespace plan_needed {
 namespace {
 
 using contact::Effect;
@@ -59,7 +61,7 @@ const std::map<std::string, Effect> effects{
     {"friction", Effect::friction},
     {"restitution", Effect::restitution},
     {"continuous detection", Effect::continuous_detection},
-    {"broad phase", Effect::broad_phase},
+    {"{term}`broad phase`", Effect::broad_phase},
     {"several contacts at once", Effect::several_contacts},
     {"resting contacts", Effect::resting},
     {"sleeping", Effect::sleeping},
@@ -172,3 +174,5 @@ TEST_CASE("in the scene that the lesson's table names for a dimension, bodies mo
     CHECK(moved[effect == Effect::third_dimension ? 0 : 1] > std::max(plan.tolerance, 1e-3));
   }
 }
+
+}  // namespace plan_needed

@@ -7,7 +7,7 @@
 
 namespace {
 
-contact::FirstHit hit_at(double distance, double radius) {
+contact::FirstHit spread_hit(double distance, double radius) {
   contact::FirstHit hit;
   hit.radius = radius;
   hit.distance = distance;
@@ -24,7 +24,7 @@ TEST_CASE("the spread of a hit is 4 ε/(R cos θ) for errors as small as an ulp"
     const double error = std::ldexp(radius, -random.integer(30, 60));
     const double cosine = std::sqrt((radius - distance) * (radius + distance)) / radius;
     const double right = 4 * error / (radius * cosine);
-    const double spread = contact::spread_of_deflection(hit_at(distance, radius), error);
+    const double spread = contact::spread_of_deflection(spread_hit(distance, radius), error);
     CAPTURE(radius, distance, error);
     // The next term is of the size (error/R)²/cos⁴ θ < 2e-15.
     CHECK(std::abs(spread - right) <= 1e-12 * right);
@@ -33,8 +33,8 @@ TEST_CASE("the spread of a hit is 4 ε/(R cos θ) for errors as small as an ulp"
 
 TEST_CASE("a graze spreads paths by the root of the error, a miss by more not at all") {
   const double error = 0x1p-52;
-  const double graze = contact::spread_of_deflection(hit_at(1, 1), error);
+  const double graze = contact::spread_of_deflection(spread_hit(1, 1), error);
   // 2 acos(1 − ε) = 4 asin √(ε/2)
   CHECK(std::abs(graze - 4 * std::asin(std::sqrt(error / 2))) <= 1e-15 * graze);
-  CHECK(contact::spread_of_deflection(hit_at(1 + 2 * error, 1), error) == 0);
+  CHECK(contact::spread_of_deflection(spread_hit(1 + 2 * error, 1), error) == 0);
 }

@@ -1,9 +1,11 @@
 #include "support/questions.hpp"
 
 #include <cmath>
+#include <contact/events/hard_spheres.hpp>
 
 #define CONTACT_FIGURE_NO_MAIN
 #include <contact/figure.hpp>
+#include "figures/four_posts.hpp"
 namespace divergence {
 #include "figures/divergence.cpp"
 }
