@@ -39,8 +39,8 @@ Distances apart(const Scene& scene, SceneRun& one, SceneRun& other, double at) {
 }  // namespace
 
 TEST_CASE("an ulp in the position of one ball displaces one by a metre in 5 s, all in 10 s") {
-  Scene scene = contact::scenes::read_scene(
-      CONTACT_SOURCE_DIR "/chapters/20_scenes/scenes/billiards_break.json");
+  Scene scene = contact::scenes::read_scene(CONTACT_SOURCE_DIR
+                                            "/chapters/20_scenes/scenes/billiards_break.json");
   scene.duration = 10;
   Scene twin = scene;
   const auto ball = std::find_if(twin.bodies.begin(), twin.bodies.end(),

@@ -66,8 +66,9 @@ namespace polygon_detail {
 
 /// A vector as doubles: unchanged. A wider type would be rounded, so there is none for it.
 template <std::floating_point S>
-  requires(std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits)
 Vector2<double> in_double(const Vector2<S>& v) {
+  static_assert(std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits,
+                "polygons are of float or double: a wider type would be rounded");
   return v.template cast<double>();
 }
 
