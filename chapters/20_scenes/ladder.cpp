@@ -113,7 +113,8 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder.method(
       {.id = "plan-and-run", .title = "planning and the planned run", .scalar = "as planned"},
       measured_scenes::plan_and_run);
-  method("planned", "as planned", Run::planned);
+  ladder.method({.id = "planned", .title = "the planned run", .scalar = "as planned"},
+                [](const Input& input) { return measured_scenes::run_of(input, Run::planned); });
   ladder.recommend("planned");
   ladder.show(shown);
   return ladder;
