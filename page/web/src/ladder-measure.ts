@@ -155,7 +155,7 @@ export function proven(result: LadderResult): { name: string; words: string } | 
   else if (!first) parts.push("never wrong by design");
   if (first)
     parts.push(
-      `the fastest of the ${alike.length} methods that ${exact ? "by design are never wrong" : "are no more often wrong"}`,
+      `the fastest of the ${alike.length} methods that ${exact ? "by design are never wrong" : "are wrong at most that often"}`,
     );
   const ratio = Number((chosen.time.median / fastest.time.median).toPrecision(2));
   const times = ratio === 1 ? "about" : `${ratio}\u00a0×`;
