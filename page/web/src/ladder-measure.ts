@@ -153,10 +153,12 @@ export function proven(result: LadderResult): { name: string; words: string } | 
   else if (wrong > 0) parts.push(`wrong on ${wrong.toLocaleString("en")} of ${asked} inputs`);
   else if (!exact) parts.push(`not wrong on any of ${asked} inputs`);
   else if (!first) parts.push("never wrong by design");
-  if (first)
-    parts.push(
-      `the fastest of the ${alike.length} methods that ${exact ? "by design are never wrong" : "are wrong at most that often"}`,
-    );
+  const like = exact
+    ? "by design are never wrong"
+    : counted
+      ? "are wrong at most that often"
+      : "have no larger error";
+  if (first) parts.push(`the fastest of the ${alike.length} methods that ${like}`);
   const ratio = Number((chosen.time.median / fastest.time.median).toPrecision(2));
   const times = ratio === 1 ? "about" : `${ratio}\u00a0×`;
   parts.push(chosen === fastest ? "the fastest of all" : `${times} the time of the fastest of all`);
