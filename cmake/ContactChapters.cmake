@@ -78,14 +78,22 @@ function(contact_chapter_name chapter out)
   set(${out} "${name}" PARENT_SCOPE)
 endfunction()
 
-# What a program of the tree links to use a chapter: its library if it has one, else its headers.
+# What a program of the tree links to use a chapter: its library if it has one, else its headers and the libraries of
+# the chapters that it builds on.
 function(contact_chapter_library chapter out)
   contact_chapter_name("${chapter}" name)
+  set(found contact_${chapter})
   if(TARGET contact_${name})
-    set(${out} contact_${name} PARENT_SCOPE)
-  else()
-    set(${out} contact_${chapter} PARENT_SCOPE)
+    set(found contact_${name})
   endif()
+  contact_read_builds_on("${chapter}" earlier)
+  foreach(one IN LISTS earlier)
+    contact_chapter_name("${one}" name)
+    if(TARGET contact_${name})
+      list(APPEND found contact_${name})
+    endif()
+  endforeach()
+  set(${out} "${found}" PARENT_SCOPE)
 endfunction()
 
 # Files whose names begin with the same word are compiled as one: they use the same headers, whose inline functions would

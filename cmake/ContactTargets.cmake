@@ -20,7 +20,7 @@ function(contact_add_reference_tests chapter)
     list(REMOVE_ITEM sources "${dir}/${exercise}_test.cpp")
   endforeach()
   if(sources)
-    contact_add_catch_test(reference_tests_${chapter} ${library} ${sources})
+    contact_add_catch_test(reference_tests_${chapter} "${library}" ${sources})
     # In one unit with the tests of the headers: compiling the functions that both call takes most of the time. Its
     # names are in a namespace of their own.
     set_property(SOURCE "${dir}/questions_test.cpp" PROPERTY UNITY_GROUP reference)
@@ -74,10 +74,17 @@ function(contact_add_precompiled name)
   target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
-# chapters/NN_slug/examples/NAME.cpp must print exactly NAME.out. A chapter that has scenes shows them: its examples read
-# them from CONTACT_SCENES.
+# chapters/NN_slug/examples/NAME.cpp must print exactly NAME.out. Examples read scenes from CONTACT_SCENES: those of the
+# chapter, or of a chapter that it builds on.
 function(contact_add_examples chapter)
-  set(scenes "${PROJECT_SOURCE_DIR}/chapters/${chapter}/scenes")
+  set(scenes "")
+  contact_read_builds_on("${chapter}" earlier)
+  foreach(one IN LISTS chapter earlier)
+    set(folder "${PROJECT_SOURCE_DIR}/chapters/${one}/scenes")
+    if(NOT scenes AND IS_DIRECTORY "${folder}")
+      set(scenes "${folder}")
+    endif()
+  endforeach()
   contact_chapter_library("${chapter}" library)
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/examples/*.cpp")
   foreach(source IN LISTS sources)
@@ -85,7 +92,7 @@ function(contact_add_examples chapter)
     set(target example_${chapter}_${stem})
     add_executable(${target} "${source}")
     target_link_libraries(${target} PRIVATE ${library} contact_warnings)
-    if(IS_DIRECTORY "${scenes}")
+    if(scenes)
       target_compile_definitions(${target} PRIVATE "CONTACT_SCENES=\"${scenes}/\"")
     endif()
     target_precompile_headers(${target} REUSE_FROM contact_examples_precompiled)

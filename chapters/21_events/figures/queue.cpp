@@ -248,7 +248,7 @@ Output compute(const Input& in) {
     if (v.cwiseAbs().maxCoeff() > 20) out.problem = contact::figure::too_large;
   if (out.problem == 0 && !make_room(out.start)) out.problem = contact::figure::coincident_points;
   if (out.problem != 0) {
-    out.start = {};
+    out.start.fill(Vector2::Zero());
     return out;
   }
   contact::HardSphereSetup setup;
