@@ -214,9 +214,7 @@ class HardSpheres final : public HardSphereRun {
     return true;
   }
 
-  /// @name What is stored, to be looked at. No call changes anything.
-  /// @{
-  /// A moving ball's next event.
+  /// A moving ball's next event, as stored: this and the next two calls change nothing.
   HardSpherePrediction prediction(std::size_t ball) const {
     const HitPlan& plan = plans_[ball];
     HardSpherePrediction seen;
@@ -233,7 +231,6 @@ class HardSpheres final : public HardSphereRun {
   const EarliestQueue& queue() const { return queue_; }
   /// The cells, and which ball is in which.
   const HardSphereCells<dimension>& cells() const requires(E.grid) { return cells_; }
-  /// @}
 
   double now() const override { return now_; }
   std::size_t moving() const override { return moving_; }
