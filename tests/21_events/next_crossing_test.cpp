@@ -204,9 +204,13 @@ TEST_CASE("random balls agree with fractions") {
       const double part = random.chance(0.3) ? random.integer(0, 1) : random.integer(0, 64) / 64.0;
       ball.position[axis] = (ball.cell[axis] + part) * size;
       if (random.chance(0.1)) ball.position[axis] += random.integer(-4, 4) * kUnit;
-      ball.velocity[axis] = random.chance(0.4) ? (random.chance(0.5) ? 1 : -1) *
-                                                     std::ldexp(1.0, random.integer(-3, 2))
-                                               : kEighth * random.integer(-20, 20);
+      if (random.chance(0.4)) {
+        // In statements of their own: the order of the factors' draws would be the compiler's choice.
+        const int sign = random.chance(0.5) ? 1 : -1;
+        ball.velocity[axis] = sign * std::ldexp(1.0, random.integer(-3, 2));
+      } else {
+        ball.velocity[axis] = kEighth * random.integer(-20, 20);
+      }
     }
     if (judged(ball, size)) shrinkable(check, judged, ball, size);
   }

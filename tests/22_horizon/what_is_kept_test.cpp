@@ -102,14 +102,19 @@ const Vector up(0, 0, 1);
 Scene random_scene(generators::Random& random) {
   const auto direction = [&random] {
     Vector v = none;
-    v(random.integer(0, 2)) = random.chance(0.5) ? 1 : -1;
+    const int axis = random.integer(0, 2);
+    v(axis) = random.chance(0.5) ? 1 : -1;
     if (random.chance(0.3)) v = Vector(0.6, 0, 0.8);
     if (random.chance(0.2)) v = Vector(2, -1, 2) / 3;
     return v;
   };
   const bool line = random.chance(0.25);
   Scene scene{none, {}, random.chance(0.5), random.chance(0.5), line};
-  if (random.chance(0.6)) scene.gravity = random.uniform(1, 5) * (line ? up : direction());
+  if (random.chance(0.6)) {
+    // In statements of their own: the order of the factors' draws would be the compiler's choice.
+    const double size = random.uniform(1, 5);
+    scene.gravity = size * (line ? up : direction());
+  }
   const int walls = std::max(0, random.integer(-2, 2));
   for (int i = 0; i < walls; ++i)
     scene.normals.push_back(line ? (i == 0 ? up : Vector(-up)) : direction());

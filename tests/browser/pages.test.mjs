@@ -119,7 +119,7 @@ describe("pages", { skip }, () => {
       });
       const pictures = await page.locator("contact-figure > img").all();
       const figures = figuresOn(where);
-      assert.ok(figures.length >= 2);
+      assert.ok(figures.length >= 1);
       assert.equal(pictures.length, figures.filter(({ built }) => built).length);
       for (const picture of pictures) {
         await picture.scrollIntoViewIfNeeded();
