@@ -205,7 +205,8 @@ TEST_CASE("random balls agree with fractions") {
       ball.position[axis] = (ball.cell[axis] + part) * size;
       if (random.chance(0.1)) ball.position[axis] += random.integer(-4, 4) * kUnit;
       if (random.chance(0.4)) {
-        // In statements of their own: the order of the factors' draws would be the compiler's choice.
+        // In statements of their own: the order of the factors' draws would be the compiler's
+        // choice.
         const int sign = random.chance(0.5) ? 1 : -1;
         ball.velocity[axis] = sign * std::ldexp(1.0, random.integer(-3, 2));
       } else {
