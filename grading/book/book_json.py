@@ -102,7 +102,6 @@ def _chapter(table: Table) -> Json:
         "status": status,
         "tooltip": table.get("tooltip", str, ""),
         "builds_on": table.strings("builds_on"),
-        "may_be_long": table.get("may_be_long", str, ""),
         "in_lesson": table.strings("in_lesson"),
         "recall": table.strings("recall"),
         "exercises": table.strings("exercises"),

@@ -4,9 +4,8 @@
 
 What is on the page counts: words at 200 a minute (a formula's pieces between spaces are words),
 lines of shown code and output at 12 a minute, a question 1 minute, a figure 2. Together these are
-at most 45 minutes, unless the chapter's `may_be_long` gives a reason. A Deeper box is counted
-separately, and so are exercises, at the minutes that each says. Outside these boxes a listing has
-at most 25 lines in every lesson. It needs nothing but Python.
+at most 45 minutes. A Deeper box is counted separately, and so are exercises, at the minutes that
+each says. Outside these boxes a listing has at most 25 lines. It needs nothing but Python.
 """
 
 from __future__ import annotations
@@ -83,7 +82,6 @@ class Lesson:
     slug: str
     main: Tally
     deeper: Tally
-    may_be_long: str = ""
 
     @property
     def problems(self) -> list[str]:
@@ -93,7 +91,7 @@ class Lesson:
             for listing in self.main.listings
             if listing.lines > MAX_LINES
         ]
-        if self.main.minutes > MAX_MINUTES and not self.may_be_long:
+        if self.main.minutes > MAX_MINUTES:
             found.append(
                 f"it takes {self.main.minutes:.1f} minutes, and may take {MAX_MINUTES}: "
                 + counted(self.main)
@@ -253,15 +251,13 @@ def lesson_of(root: Path, slug: str, said: Mapping[str, Any]) -> Lesson:
     """Counts the lesson of this chapter, of which book.json says what is given."""
     reader = _Reader(_Shown(root, slug), len(said["recall"]))
     reader.read((root / "chapters" / slug / "lesson.md").read_text(encoding="utf-8"))
-    return Lesson(slug, reader.main, reader.deeper, said["may_be_long"])
+    return Lesson(slug, reader.main, reader.deeper)
 
 
 def told(lesson: Lesson) -> str:
     line = f"{lesson.slug}: {lesson.main.minutes:.1f} minutes ({counted(lesson.main)})"
     if lesson.deeper.minutes:
         line += f", and {lesson.deeper.minutes:.1f} in Deeper boxes"
-    if lesson.may_be_long:
-        line += f"; it may be longer than {MAX_MINUTES}: {lesson.may_be_long}"
     return line
 
 

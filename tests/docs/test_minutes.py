@@ -13,9 +13,9 @@ from sample_book import ROOT, Sample
 SLUG = "01_lines"
 
 
-def count(sample: Sample, text: str, recall: int = 0, reason: str = "") -> Lesson:
+def count(sample: Sample, text: str, recall: int = 0) -> Lesson:
     (sample.root / "chapters" / SLUG / "lesson.md").write_text(text, encoding="utf-8")
-    said = {"recall": ["01_lines/touch"] * recall, "may_be_long": reason}
+    said = {"recall": ["01_lines/touch"] * recall}
     return lesson_of(sample.root, SLUG, said)
 
 
@@ -142,17 +142,17 @@ def test_of_files_with_one_name_the_lesson_s_own_counts(sample: Sample) -> None:
     assert lesson.main.lines == 2
 
 
-def test_too_long_and_a_reason(sample: Sample) -> None:
+def test_too_long(sample: Sample) -> None:
     listing = "```cpp\n" + "int a;\n" * 26 + "```\n"
     text = "# One\n\n" + "word " * 9000 + "\n\n" + listing
     problems = count(sample, text).problems
     assert len(problems) == 2
     assert "the listing 'int a;' shows 26 lines, and a listing may have 25" in problems[0]
     assert "it takes 47.2 minutes, and may take 45: 9,001 words, 26 lines of code" in problems[1]
-    assert count(sample, text, reason="until it is split").problems == problems[:1]
     boxed = f"# One\n\n::::{{deeper}} Long\n{listing}::::\n"
     assert count(sample, boxed).problems == []
-    assert count(sample, boxed + "word " * 9000, reason="until it is split").problems == []
+    # What is in the box has no limit of its own.
+    assert count(sample, boxed.replace("::::\n", "word " * 9000 + "\n::::\n")).problems == []
 
 
 def test_the_command_says_the_minutes_and_what_cannot_be_counted(sample: Sample) -> None:
