@@ -125,7 +125,8 @@ TEST_CASE(
     "balls that roll in a plane have one number for angular velocity, and the bits of all "
     "effects") {
   int hits = 0;
-  for (int axis = 0; axis < 3; ++axis) {  // across the plane
+  const int axes = generators::sanitized ? 1 : 3;
+  for (int axis = 0; axis < axes; ++axis) {  // across the plane
     const Point across = Point::Unit(axis);
     const Point along = Point::Unit((axis + 1) % 3);
     const Point up = Point::Unit((axis + 2) % 3);
@@ -152,7 +153,7 @@ TEST_CASE(
     again->restore(few->checkpoint());
     CHECK(bits_of(scene, *again) == bits_of(scene, *few));
   }
-  CHECK(hits > 12);
+  CHECK(hits > 4 * axes);
 }
 
 TEST_CASE(

@@ -82,8 +82,8 @@ TEST_CASE("an elastic crowd conserves its energy, though its impacts are process
     const auto run = run_of(scene, without({Effect::event_driven}));
     REQUIRE_FALSE(run->event_driven());
     const double energy = run->energy();
-    run->advance(1);
-    CHECK(run->counts().hits > 200);
+    run->advance(generators::sanitized ? 0.25 : 1);
+    CHECK(run->counts().hits > (generators::sanitized ? 50 : 200));
     // Vertices rotate on while they come to touch, and overlaps are pushed out.
     CHECK(std::abs(run->energy() - energy) < (boxes ? 1e-3 : 1e-6) * energy);
   }
@@ -149,8 +149,8 @@ TEST_CASE("a crowd that meets no wall conserves its momentum, with friction or w
     const auto run = run_of(scene);
     const Point moving = total_momentum(scene, *run);
     const double energy = run->energy();
-    run->advance(0.5);
-    CHECK(run->counts().hits > 20);
+    run->advance(generators::sanitized ? 0.15 : 0.5);
+    CHECK(run->counts().hits > (generators::sanitized ? 5 : 20));
     CHECK((total_momentum(scene, *run) - moving).norm() < 1e-11);
     CHECK(run->energy() < energy * (friction > 0 ? 0.99 : 1.0001));
   }
@@ -196,6 +196,7 @@ TEST_CASE("boxes that hit more often in a step than is taken one by one keep the
 
 TEST_CASE("in a crowd thin plates that meet face to face do not pass") {
   for (const double e : {0.0, 0.5, 1.0}) {
+    if (generators::sanitized && e != 0.5) continue;
     CAPTURE(e);
     Scene scene = plan_scenes::empty(e, 0, 0.1, 1e-3);
     for (int k = 0; k < 35; ++k) {

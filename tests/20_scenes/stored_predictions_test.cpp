@@ -15,7 +15,6 @@ using contact::HardSpheres;
 using contact::HardSphereSetup;
 using contact::Vector3;
 using generators::Random;
-using generators::tried;
 using hard_setups::Log;
 using hard_setups::random_setup;
 
@@ -41,7 +40,7 @@ void check_same_bits(const HardSpheres<E>& a, const HardSpheres<E>& b) {
 template <HardSphereEffects E, class F>
 void each_event(std::uint64_t seed, const F& f) {
   Random random(seed);
-  for (int n = 0; n < tried(6); ++n) {
+  for (int n = 0; n < 6; ++n) {
     HardSpheres<E> run(random_setup(random, balls, true, 0));
     for (int event = 0; event < 300; ++event) {
       const HardSpherePrediction next = run.prediction(run.queue().first());
@@ -58,7 +57,7 @@ void each_event(std::uint64_t seed, const F& f) {
 
 TEST_CASE("events one at a time give the same bits as a run without a stop") {
   Random random(91);
-  for (int n = 0; n < tried(6); ++n) {
+  for (int n = 0; n < 6; ++n) {
     const HardSphereSetup setup = random_setup(random, balls, true, 0);
     HardSpheres<with_cells> singly(setup);
     for (int event = 0; event < 500; ++event) REQUIRE(singly.advance_one_event());
@@ -120,7 +119,7 @@ TEST_CASE("the first ball's prediction says which event comes next, and when") {
 TEST_CASE("a prediction becomes void when its partner is hit, and at no other time") {
   Random random(93);
   int made = 0;
-  for (int n = 0; n < tried(6); ++n) {
+  for (int n = 0; n < 6; ++n) {
     HardSpheres<all_pairs> run(random_setup(random, balls, true, 0));
     for (int event = 0; event < 300; ++event) {
       std::vector<HardSpherePrediction> before;
