@@ -217,6 +217,21 @@ function rowOf(
   );
 }
 
+/** Whose the rows in JavaScript are, and on how many inputs: fewer than the book's. */
+function peersWords({ methods, results }: LadderResult): string {
+  const peers = methods.filter(({ peer }) => peer);
+  if (peers.length === 0) return "";
+  const sizes = results
+    .filter(({ method }) => peers.some(({ id }) => id === method))
+    .map(({ n }) => n);
+  const [least, most] = [Math.min(...sizes), Math.max(...sizes)].map((n) => n.toLocaleString("en"));
+  const inputs = least === most ? least : `${least} to ${most}`;
+  return (
+    `in JavaScript: another library, asked only here, on ${inputs} inputs a family, because the book's ` +
+    "own numbers are those of native programs"
+  );
+}
+
 function legend(result: LadderResult, own: boolean): string {
   const used = new Set(result.families.map(({ id }) => measureOf(result, id)));
   const scales = (["wrong", "error"] as const).filter((measure) => used.has(measure));
@@ -237,9 +252,7 @@ function legend(result: LadderResult, own: boolean): string {
     "line on the bar: the middle half of the repeated measurements",
     "dot below the bar: the time of one family",
     own ? "dashed: this browser, in WebAssembly" : "",
-    result.methods.some(({ peer }) => peer)
-      ? "in JavaScript: another library, timed only here, because the book's own times are of native programs"
-      : "",
+    peersWords(result),
   ];
   return `<div class="legend">${colours.join("")}<p>${signs.filter(Boolean).join(" · ")}.</p></div>`;
 }

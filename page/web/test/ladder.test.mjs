@@ -314,7 +314,14 @@ test("after a run a peer is the last row, without a time of the book's", () => {
   assert.equal(line.querySelectorAll("rect.book").length, 0);
   // The geometric mean of its two families.
   assert.equal(line.querySelector("td.ns").textContent, "73 ns");
-  assert.match(document.querySelector(".legend").textContent, /the book's own times are of native/);
+  const legend = (/** @type {any} */ of) => of.querySelector(".legend").textContent;
+  assert.match(
+    legend(document),
+    /only here, on 1,000 inputs a family, because the book's own numbers/,
+  );
+  const fewer = [peerRows[0], { ...peerRows[1], n: 16, wrong: 4 }];
+  assert.match(legend(drawHere(fewer)), /on 16 to 1,000 inputs a family/);
+  assert.doesNotMatch(legend(drawHere(result.results)), /JavaScript/);
 });
 
 test("a peer that is wrong makes its column count wrong answers", () => {
