@@ -1,7 +1,12 @@
 // What a ladder's measurements say: each method's time and accuracy over all families, which methods
 // no other beats, and the sentence about the method that the book recommends.
 
-import type { LadderMethod, LadderResult, LadderRow } from "./ladder-data.ts";
+import {
+  type LadderMethod,
+  type LadderResult,
+  type LadderRow,
+  withoutPeers,
+} from "./ladder-data.ts";
 
 /** What the cells of a column show: wrong answers, or the largest error if no method is wrong. */
 export type Measure = "wrong" | "error";
@@ -96,11 +101,14 @@ export interface Rung {
 }
 
 /** Whether the ladder counts wrong answers: some are wrong, or no row has an error to show instead. */
-export const decides = ({ results }: LadderResult): boolean =>
-  results.some((row) => row.wrong > 0) || results.every((row) => row.error_max === null);
+export function decides(measured: LadderResult): boolean {
+  const { results } = withoutPeers(measured);
+  return results.some((row) => row.wrong > 0) || results.every((row) => row.error_max === null);
+}
 
-/** The methods by time. */
-export function rungs(result: LadderResult): Rung[] {
+/** The book's methods by time. */
+export function rungs(measured: LadderResult): Rung[] {
+  const result = withoutPeers(measured);
   const counted = decides(result);
   const off = (method: string): number => {
     const rows = result.results.filter((row) => row.method === method);
