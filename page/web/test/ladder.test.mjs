@@ -11,7 +11,7 @@ import { parseHTML } from "linkedom";
 import { load } from "./load.mjs";
 
 const { cellOf, failureOf, scatter, summary } = await load("ladder-cell.ts");
-const { withPeers } = await load("ladder-data.ts");
+const { partsOf, withPeers } = await load("ladder-data.ts");
 const { ladderPicture } = await load("ladder-picture.ts");
 const { knownError } = await load("ladder-measure.ts");
 
@@ -53,7 +53,7 @@ const result = {
   results: [
     row("random", "plain", 0, 20, 1e-7),
     row("random", "slow", 0, 80, 1e-16),
-    row("random", "lucky", 0, 50, 1e-16),
+    row("random", "lucky", 0, 50, 0),
     row("random", "sure", 0, 100, 0),
     row("random", "unfiltered", 0, 900, 0),
     row("edge", "plain", 320, 20),
@@ -140,7 +140,7 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   assert.equal(
     said(),
     "★ sure (double, then exact): the fastest of the 2 methods that by design are never wrong, 5 × the time of the " +
-      "fastest of all; “lucky (double)” is faster and was not wrong on these inputs, but is not so by design.",
+      "fastest of all; “lucky (double)” is faster and was not wrong and had no larger error on these inputs, but is not so by design.",
   );
   // Other numbers, another sentence.
   const wrong = result.results.map((each) =>
@@ -166,12 +166,12 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   // Faster methods that are as good are no secret.
   assert.match(
     other("slow", result.results),
-    /wrong on 1 of 2,000 inputs, 4 × the time of the fastest of all; “lucky \(double\)” is faster and was no more often wrong on these inputs\.$/,
+    /wrong on 1 of 2,000 inputs, 4 × the time of the fastest of all; “lucky \(double\)” is faster and was no more often wrong and had no larger error on these inputs\.$/,
   );
   // The fastest that is never wrong by design is not the choice here: no word of "the fastest of".
   assert.match(
     other("unfiltered", result.results),
-    /unfiltered \(exact\): never wrong by design, 45 × the time of the fastest of all; 2 other methods are faster and were not wrong on these inputs\.$/,
+    /unfiltered \(exact\): never wrong by design, 45 × the time of the fastest of all; 2 other methods are faster and were not wrong and had no larger error on these inputs\.$/,
   );
 });
 
@@ -229,7 +229,11 @@ test("methods that are never wrong by design are marked", () => {
 });
 
 test("where nothing is decided, the smaller error is the more often right", () => {
-  const results = result.results.map((each) => ({ ...each, wrong: 0 }));
+  const results = result.results.map((each) => ({
+    ...each,
+    wrong: 0,
+    error_max: each.method === "lucky" ? 1e-16 : each.error_max,
+  }));
   const document = draw({ ...result, results });
   const off = results.map((each) =>
     each.method === "sure" ? { ...each, error_max: 8.2e-17 } : each,
@@ -244,6 +248,67 @@ test("where nothing is decided, the smaller error is the more often right", () =
     /: no error above 0, the fastest of the 2 methods that by design are never wrong, 5 × the time of the fastest of all\.$/,
   );
   assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
+});
+
+/** The sentence about the choice `sure`, with this change to the rows. @param {any} change */
+const saidOf = (change, families = result.families) => {
+  const results = result.results.map((each) => ({ ...each, ...change(each) }));
+  return draw({ ...result, families, results }).querySelector(".proven").textContent;
+};
+
+test("a method that is never wrong but has a larger error is not as good as the choice", () => {
+  const error = (/** @type {any} */ each) => ({
+    error_max: each.method === "lucky" && each.family === "random" ? 3 : 0,
+  });
+  assert.match(saidOf(error), /5\s× the time of the fastest of all\.$/);
+  // In another family, whose errors are smaller, it counts as well.
+  const hidden = (/** @type {any} */ each) => ({
+    error_max: each.family === "edge" ? 1 : each.method === "lucky" ? 0.1 : 0,
+  });
+  assert.match(saidOf(hidden), /5\s× the time of the fastest of all\.$/);
+  // Without a number of the choice there is none to compare.
+  const decided = (/** @type {any} */ each) => ({
+    error_max: each.method === "sure" ? null : 3,
+  });
+  assert.match(
+    saidOf(decided),
+    /; “lucky \(double\)” is faster and was not wrong on these inputs,/,
+  );
+});
+
+test("a method that leaves more undecided is not as good as the choice", () => {
+  const undecided = (/** @type {any} */ each) => ({ undecided: each.method === "lucky" ? 1 : 0 });
+  assert.match(saidOf(undecided), /5\s× the time of the fastest of all\.$/);
+});
+
+test("where all families are about the error, it judges although an answer has the wrong sign", () => {
+  const families = result.families.map((each) => ({ ...each, by_error: true }));
+  const errors = { plain: 3, lucky: 2e-3, slow: 1e-3, sure: 1e-3, unfiltered: 0 };
+  const change = (/** @type {any} */ each) => ({ error_max: errors[each.method] });
+  // `slow` is wrong once.
+  assert.match(saidOf(change, families), /: no error above 1e−3, .*fastest of all\.$/);
+  const right = (/** @type {any} */ each) => ({ ...change(each), wrong: 0 });
+  assert.match(
+    saidOf(right, families),
+    /: no error above 1e−3, .*; “slow \(double\)” is faster and had no larger error on these inputs,/,
+  );
+  const frontier = names(
+    draw({
+      ...result,
+      families,
+      results: result.results.map((each) => ({ ...each, ...change(each) })),
+    }),
+    "tr.frontier",
+  );
+  assert.deepEqual(frontier, ["plain", "lucky", "slow", "sure", "unfiltered"]);
+});
+
+test("of the depths, a method that is metres off is not called as good as the choice", () => {
+  const deep = measured()
+    .flatMap((data) => partsOf(data))
+    .find(({ question }) => question === "How deep?");
+  const said = draw(deep).querySelector(".proven").textContent;
+  assert.match(said, /no error above .*“faces and pairs of edges \(double\)” is faster/);
 });
 
 test("where nothing has an error and nothing is wrong, the sentence counts wrong answers", () => {
