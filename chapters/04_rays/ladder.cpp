@@ -49,6 +49,12 @@ ladder::Method exact(const char* id, const char* title, const char* scalar) {
   return {.id = id, .title = title, .scalar = scalar, .exact = true};
 }
 
+/// A ray as a peer gets it: origin, direction.
+void ask(const Ray<double>& ray, std::vector<double>& to) {
+  to.insert(to.end(), ray.origin.begin(), ray.origin.end());
+  to.insert(to.end(), ray.direction.begin(), ray.direction.end());
+}
+
 namespace ball {
 
 /// The same numbers in float and in double: the conversion is not timed.
@@ -238,6 +244,22 @@ ladder::Ladder<Input, Answer> experiment() {
                   return hit ? Answer{true, hit->t} : Answer{};
                 });
   ladder.method(exact("unfiltered", "decision, no filter", "exact"), truth);
+  // Its direction has length 1, and its answer is a point, which the page turns into t. From inside
+  // it is where the ray leaves; the book's is the start.
+  ladder.peer(
+      {.id = "three-ray-sphere",
+       .title = "three.js",
+       .scalar = "JavaScript",
+       .asks = 10,
+       .tells = 2},
+      [](const Input& input, std::vector<double>& to) {
+        ask(input.ray_in_double, to);
+        to.insert(to.end(), input.body_in_double.centre.begin(), input.body_in_double.centre.end());
+        to.push_back(input.body_in_double.radius);
+      },
+      [](const double* told, const Answer& right) {
+        return Answer{told[0] != 0, right.t == 0 ? std::nan("") : told[1]};
+      });
   ladder.recommend("exact-decision");
   ladder.show(shown);
   return ladder;
@@ -393,6 +415,15 @@ ladder::Ladder<Input, Answer> experiment() {
                   return hit ? Answer{true, hit->t} : Answer{};
                 });
   ladder.method(exact("box-unfiltered", "decision, no filter", "exact"), truth);
+  ladder.peer(
+      {.id = "three-ray-box", .title = "three.js", .scalar = "JavaScript", .asks = 12, .tells = 1},
+      [](const Input& input, std::vector<double>& to) {
+        ask(input.ray_in_double, to);
+        const Aabb<double>& body = input.body_in_double;
+        to.insert(to.end(), body.low.begin(), body.low.end());
+        to.insert(to.end(), body.high.begin(), body.high.end());
+      },
+      [](const double* told, const Answer&) { return Answer{told[0] != 0}; });
   ladder.recommend("exact-box-decision");
   ladder.show(shown);
   return ladder;

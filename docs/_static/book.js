@@ -3,8 +3,11 @@
   // A listing that is wider than the page can be reached and scrolled from the keyboard.
   const reach = () => {
     for (const pre of document.querySelectorAll("div.highlight > pre")) {
-      if (pre.scrollWidth > pre.clientWidth) pre.tabIndex = 0;
-      else pre.removeAttribute("tabindex");
+      if (pre.scrollWidth > pre.clientWidth) {
+        pre.tabIndex = 0;
+        pre.setAttribute("role", "group");
+        pre.setAttribute("aria-label", "Listing, scrolls sideways");
+      } else for (const name of ["tabindex", "role", "aria-label"]) pre.removeAttribute(name);
     }
   };
   addEventListener("resize", reach);

@@ -178,6 +178,18 @@ export async function loadFigure(source: Source): Promise<Figure> {
   };
 }
 
+/** A method that the page has in JavaScript: the ladder asks it in numbers and judges what it answers. */
+export interface LadderPeer {
+  readonly id: string;
+  readonly title: string;
+  readonly scalar: string;
+  /** Numbers of a question. */
+  readonly asks: number;
+  /** Numbers of an answer. */
+  readonly tells: number;
+  readonly part: string;
+}
+
 export interface LadderLayout {
   readonly question: string;
   readonly families: readonly {
@@ -193,15 +205,20 @@ export interface LadderLayout {
     readonly exact: boolean;
     readonly part: string;
   }[];
+  readonly peers: readonly LadderPeer[];
 }
 
-export interface LadderResult {
+/** A method's answers compared with the truth. */
+export interface LadderJudgement {
   readonly n: number;
   readonly wrong: number;
   readonly undecided: number;
   /** NaN where the question has no value to be off by. */
   readonly error_median: number;
   readonly error_max: number;
+}
+
+export interface LadderResult extends LadderJudgement {
   readonly ns_median: number;
   readonly ns_q1: number;
   readonly ns_q3: number;
@@ -213,6 +230,9 @@ interface LadderFunctions {
   prepare(family: number, n: number): void;
   pass(method: number): void;
   run(method: number): number;
+  questions(peer: number): number;
+  answers(peer: number): number;
+  judge(peer: number): number;
 }
 
 export interface Ladder {
@@ -223,6 +243,10 @@ export interface Ladder {
   pass(method: number): void;
   /** Times a method on them and compares its answers with the truth. */
   run(method: number): LadderResult;
+  /** The inputs as the peer with this number gets them. */
+  questions(peer: number, n: number): Float64Array;
+  /** Compares a peer's answers to all of them with the truth. */
+  judge(peer: number, answers: Float64Array): LadderJudgement;
 }
 
 export async function loadLadder(source: Source): Promise<Ladder> {
@@ -240,6 +264,23 @@ export async function loadLadder(source: Source): Promise<Ladder> {
         ...program.numbers(place, 9),
       ] as [number, number, number, number, number, number, number, number, number];
       return { n, wrong, undecided, error_median, error_max, ns_median, ns_q1, ns_q3, repeats };
+    },
+    questions(peer, n) {
+      const place = program.call((ladder) => ladder.questions(peer));
+      return program.numbers(place, n * layout.peers[peer]!.asks).slice();
+    },
+    judge(peer, answers) {
+      const room = program.call((ladder) => ladder.answers(peer));
+      program.numbers(room, answers.length).set(answers);
+      const place = program.call((ladder) => ladder.judge(peer));
+      const [n, wrong, undecided, error_median, error_max] = [...program.numbers(place, 5)] as [
+        number,
+        number,
+        number,
+        number,
+        number,
+      ];
+      return { n, wrong, undecided, error_median, error_max };
     },
   };
 }

@@ -13,12 +13,10 @@
 #include <contact/products.hpp>
 #include <vector>
 
+namespace hard_cases {
+
 using contact::Vector2;
 using contact::Vector3;
-using hard_cases::Case;
-using hard_cases::hex;
-using hard_cases::Json;
-using hard_cases::unhex;
 using oracle::Interval;
 using oracle::Rational;
 
@@ -210,7 +208,7 @@ void add_angle(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("00_vectors");
   add_sum(runner);
   add_dot(runner);
@@ -219,3 +217,5 @@ int main(int argc, char** argv) {
   add_angle(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

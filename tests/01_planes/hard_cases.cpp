@@ -10,8 +10,7 @@
 #include "support/generators.hpp"
 #include "support/oracle_planes.hpp"
 
-using hard_cases::Case;
-using hard_cases::Json;
+namespace hard_cases {
 
 namespace {
 
@@ -259,7 +258,7 @@ void add_moving_sphere(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("01_planes");
   add_side(runner);
   add_exists(runner);
@@ -269,3 +268,5 @@ int main(int argc, char** argv) {
   add_moving_sphere(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

@@ -12,8 +12,7 @@
 
 #include "support/generators.hpp"
 
-using hard_cases::Case;
-using hard_cases::Json;
+namespace hard_cases {
 
 namespace {
 
@@ -126,7 +125,7 @@ bool right_weights(const Case& c, const std::optional<Vector3<double>>& got) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("02_triangles");
 
   runner.question("ray_triangle", [](const Case& c) -> Json {
@@ -168,3 +167,5 @@ int main(int argc, char** argv) {
   });
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

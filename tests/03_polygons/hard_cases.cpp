@@ -6,8 +6,7 @@
 #include <contact/convex_polygon.hpp>
 #include <limits>
 
-using hard_cases::Case;
-using hard_cases::Json;
+namespace hard_cases {
 
 namespace {
 
@@ -313,7 +312,7 @@ Json meeting_text(const Segment2<S>& s, const Segment2<S>& t) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("03_polygons");
 
   runner.question("point_in_polygon", where_answer);
@@ -486,3 +485,5 @@ int main(int argc, char** argv) {
   });
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

@@ -8,8 +8,7 @@
 #include <contact/ray_sphere.hpp>
 #include <contact/ray_triangle.hpp>
 
-using hard_cases::Case;
-using hard_cases::Json;
+namespace hard_cases {
 
 namespace {
 
@@ -239,7 +238,7 @@ std::optional<Passage<double>> kdop_by_division(const Ray<double>& ray, const Kd
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("04_rays");
 
   runner.question("sphere", sphere_answer);
@@ -343,3 +342,5 @@ int main(int argc, char** argv) {
   hard_round::add_questions(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

@@ -191,6 +191,41 @@ TEST_CASE("a determinant that overflows is not a t of 0") {
   CHECK(same(*contact::first_mesh_hit(ray, mesh), all[0]));
 }
 
+TEST_CASE("the order of two meetings is that of their exact t, shared vertex and edge or not") {
+  Random random(84);
+  int shared = 0, other_ties = 0, different = 0;
+  for (int m = 0; m < generators::tried(280); ++m) {
+    const Mesh<double> mesh = mesh_of_kind(random, m % mesh_kinds);
+    for (int i = 0; i < 10; ++i) {
+      with_line<double>(line_at(random, mesh), [&](const auto& line) {
+        const contact::detail::MeshLine prepared(line);
+        std::vector<contact::detail::MeshMeeting> met;
+        contact::detail::each_meeting(prepared, mesh, [&met](const auto& meeting) {
+          met.push_back(meeting);
+          return met.size() == 8;
+        });
+        for (const auto& x : met) {
+          for (const auto& y : met) {
+            if (x.triangle == y.triangle) continue;
+            const auto of_x = contact::detail::double_triangle(mesh, x.triangle);
+            const auto of_y = contact::detail::double_triangle(mesh, y.triangle);
+            const int exact = contact::detail::compare_times(line, of_x, of_y);
+            REQUIRE(contact::detail::compare_meetings(line, x, y, of_x, of_y) == exact);
+            if (contact::detail::meet_at_shared_feature(x, y, of_x, of_y)) {
+              ++shared;
+            } else {
+              ++(exact == 0 ? other_ties : different);
+            }
+          }
+        }
+      });
+    }
+  }
+  CHECK(shared > 0);
+  CHECK(other_ties > 0);
+  CHECK(different > 0);
+}
+
 TEST_CASE("triangles one by one leak or count twice where the mesh is met once") {
   Random random(83);
   const Mesh<double> ball = contact::ball_mesh(1.0, 2);

@@ -9,8 +9,7 @@
 #include <map>
 #include <set>
 
-using hard_cases::Case;
-using hard_cases::Json;
+namespace hard_cases {
 
 namespace {
 
@@ -205,7 +204,7 @@ auto judged(Method method, Judge judge) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("08_convex_hull");
 
   runner.question("hull_2d", flat_answer);
@@ -267,3 +266,5 @@ int main(int argc, char** argv) {
                 judged([](const Points& p) { return contact::convex_hull(p); }, right_hull));
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

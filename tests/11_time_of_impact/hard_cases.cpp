@@ -22,9 +22,8 @@
 #include "hard_moving.hpp"
 #include "hard_steps.hpp"
 
-using hard_cases::Case;
-using hard_cases::Json;
-using hard_cases::unhex;
+namespace hard_cases {
+
 using oracle::Quadratic;
 using oracle::Rational;
 using oracle::Surd;
@@ -338,7 +337,7 @@ void add_capsule(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("11_time_of_impact");
   add_balls(runner);
   add_fall(runner);
@@ -352,3 +351,5 @@ int main(int argc, char** argv) {
   hard_moving::add(runner, "edge-edge", true);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

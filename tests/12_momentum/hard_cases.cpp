@@ -14,11 +14,8 @@
 #include <contact/variable_mass.hpp>
 #include <vector>
 
-using hard_cases::Case;
-using hard_cases::close;
-using hard_cases::hex;
-using hard_cases::Json;
-using hard_cases::unhex;
+namespace hard_cases {
+
 using oracle::Rational;
 
 namespace {
@@ -281,7 +278,7 @@ void add_push_off(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("12_momentum");
   add_total(runner);
   add_total_of_floats(runner);
@@ -292,3 +289,5 @@ int main(int argc, char** argv) {
   add_push_off(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

@@ -13,10 +13,8 @@
 #include <contact/momentum_triangle.hpp>
 #include <vector>
 
-using hard_cases::Case;
-using hard_cases::hex;
-using hard_cases::Json;
-using hard_cases::unhex;
+namespace hard_cases {
+
 using oracle::Rational;
 
 namespace {
@@ -291,7 +289,7 @@ void add_share(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("14_collisions_2d");
   add_approach(runner);
   add_meets(runner);
@@ -300,3 +298,5 @@ int main(int argc, char** argv) {
   add_share(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

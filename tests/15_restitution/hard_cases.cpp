@@ -14,10 +14,8 @@
 #include <cstdlib>
 #include <string>
 
-using hard_cases::Case;
-using hard_cases::close;
-using hard_cases::Json;
-using hard_cases::unhex;
+namespace hard_cases {
+
 using oracle::Rational;
 using oracle::Surd;
 using Vector = contact::Vector3<double>;
@@ -273,7 +271,7 @@ void add_height(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("15_restitution");
   add_bounces(runner);
   add_reflected(runner);
@@ -283,3 +281,5 @@ int main(int argc, char** argv) {
   add_height(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

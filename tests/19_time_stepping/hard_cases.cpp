@@ -19,12 +19,10 @@
 #include <string>
 #include <vector>
 
+namespace hard_cases {
+
 using contact::Integrator;
 using contact::MotionState;
-using hard_cases::Case;
-using hard_cases::close;
-using hard_cases::Json;
-using hard_cases::unhex;
 using oracle::Rational;
 using oracle::Surd;
 using Vector = contact::Vector3<double>;
@@ -342,7 +340,7 @@ void add_collapse(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("19_time_stepping");
   add_closing(runner);
   add_fall(runner);
@@ -352,3 +350,5 @@ int main(int argc, char** argv) {
   add_collapse(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

@@ -16,10 +16,9 @@
 #include <tuple>
 #include <vector>
 
+namespace hard_cases {
+
 using contact::Vector3;
-using hard_cases::Case;
-using hard_cases::Json;
-using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -229,10 +228,12 @@ void add_lines(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("21_events");
   add_pairs(runner);
   add_walls(runner);
   add_lines(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

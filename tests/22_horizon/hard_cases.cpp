@@ -19,9 +19,8 @@
 #include <cmath>
 #include <numbers>
 
-using hard_cases::Case;
-using hard_cases::Json;
-using hard_cases::unhex;
+namespace hard_cases {
+
 using oracle::Interval;
 using oracle::Rational;
 
@@ -156,9 +155,11 @@ void add_angle(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   hard_cases::Runner runner("22_horizon");
   add_growth(runner);
   add_angle(runner);
   return runner.run(argc, argv);
 }
+
+}  // namespace hard_cases

@@ -71,6 +71,28 @@ describe("pages", { skip }, () => {
     });
   }
 
+  // Just above 63em, where the sidebar appears.
+  for (const where of looked.map((each) => each.where))
+    test(`${where}: nothing sticks out beside the sidebar`, async () => {
+      const viewport = { width: 1024, height: 740 };
+      const { page, close } = await open(chromium.browser, url(where), { viewport });
+      const found = await page.evaluate(() => ({
+        width: document.documentElement.scrollWidth,
+        unreached: [...document.querySelectorAll("article div.highlight > pre, article div.wide")]
+          .filter((box) => box.scrollWidth > box.clientWidth + 1)
+          .filter((box) => getComputedStyle(box).overflowX === "auto")
+          .filter(
+            (box) =>
+              box.getAttribute("tabindex") !== "0" ||
+              !box.ariaLabel ||
+              !getComputedStyle(box).backgroundAttachment.includes("local"),
+          )
+          .map((box) => box.outerHTML.slice(0, 80)),
+      }));
+      assert.deepEqual(found, { width: viewport.width, unreached: [] });
+      await close();
+    });
+
   for (const where of all)
     test(`${where}: paper shows no control and cuts nothing`, async () => {
       // A sheet of A4 between its margins.

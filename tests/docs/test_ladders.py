@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import html
 import json
+import math
 import re
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -69,3 +72,38 @@ def test_where_a_method_is_wrong_an_input_is_kept_in_a_figure_or_with_the_reason
                 continue
             assert failure["figure"] in figures, what
             assert f"{{live-figure}} {failure['figure']}\n" in lesson, what
+
+
+def _said(data: dict[str, Any], file: Path) -> str:
+    """What the picture says of the book's choice."""
+    file.write_text(json.dumps(data), encoding="utf-8")
+    drawer = ROOT / "page" / "web" / "ladder_picture.mjs"
+    done = subprocess.run(["node", str(drawer), str(file)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    said = re.search(r'<p class="proven">(.*?)</p>', done.stdout)
+    assert said
+    return html.unescape(re.sub(r"<[^>]*>", "", said[1]))
+
+
+def test_of_the_depths_only_methods_with_no_larger_error_are_said_to_be_as_good(
+    tmp_path: Path,
+) -> None:
+    for data in kept("09_separating_planes"):
+        part: dict[str, list[Any]] = {key: [] for key in ("families", "methods")}
+        for key, rows in part.items():
+            rows += [row for row in data[key] if row["part"] == "How deep?"]
+        assert part["families"]
+        assert all(row["by_error"] for row in part["families"])
+        ids = {row["id"] for row in part["methods"]}
+        results = [row for row in data["results"] if row["method"] in ids]
+        error = {id: max(r["error_max"] for r in results if r["method"] == id) for id in ids}
+        time = {id: math.prod(r["ns_median"] for r in results if r["method"] == id) for id in ids}
+        chosen = next(row["id"] for row in part["methods"] if row.get("recommended"))
+        rivals = [id for id in ids if time[id] < time[chosen] and error[id] <= error[chosen]]
+        assert "depth-centres" not in rivals
+        assert error["depth-centres"] > 1
+        said = _said({**data, **part, "results": results}, tmp_path / "depths.json")
+        titles = {row["id"]: row["title"] for row in part["methods"]}
+        assert "no error above" in said
+        assert len(rivals) == 1
+        assert f"“{titles[rivals[0]]} (double)” is faster and" in said

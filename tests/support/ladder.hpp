@@ -21,16 +21,23 @@
 /// FILE`. It fails if a method that is declared exact gives a wrong answer. In WebAssembly it
 /// exports
 /// - `layout()`: address of a JSON text, ended by a 0: {"question", "families": [{id, title,
-/// part}], "methods": [{id, title, scalar, exact, part}]}, where `part` is the question of a ladder
+/// part}], "methods": [{id, title, scalar, exact, part}], "peers": [{id, title, scalar, asks,
+/// tells, part}]}, where `part` is the question of a ladder
 /// of Parts and otherwise empty; a method is only asked about families of its own part;
 /// - `prepare(family, n)`: makes n inputs of the family with that number, and the true answers;
 /// - `pass(method)`: answers each once, so that the page can tell what n it has time for;
 /// - `run(method)`: address of nine doubles: n, wrong, undecided, error_median, error_max,
 /// ns_median, ns_q1, ns_q3, repeats; and imports `env.now`, the time in milliseconds. Inputs are
-/// the same everywhere, so the wrong answers are too.
+/// the same everywhere, so the wrong answers are too;
+/// - `questions(peer)`: address of the prepared inputs as that peer gets them, `asks` doubles each;
+/// - `answers(peer)`: address of room for its answers, `tells` doubles each;
+/// - `judge(peer)`: compares what the page wrote there with the truth; address of the first five of
+/// the nine doubles of `run`.
 #pragma once
 
 #include <support/generators.hpp>
+#include <support/ladder_experiment.hpp>
+#include <support/ladder_page.hpp>
 
 #include <algorithm>
 #include <array>
@@ -49,121 +56,6 @@
 #include <vector>
 
 namespace ladder {
-
-/// The comparison of one answer with the truth.
-struct Verdict {
-  bool wrong = false;
-  bool undecided = false;       ///< the method says that it does not know
-  double error = std::nan("");  ///< of the value; NaN where there is none to compare
-};
-
-struct Method {
-  std::string id;
-  std::string title;
-  std::string scalar;        ///< the type that it computes in
-  bool exact = false;        ///< whether its decision is never wrong
-  bool recommended = false;  ///< set by recommend()
-  std::string part = {};     ///< set by Parts: the question that it answers
-};
-
-struct Family {
-  std::string id;
-  std::string title;
-  bool by_error = false;  ///< shown by its largest error even if some method is wrong
-  std::string part = {};  ///< set by Parts: the question
-};
-
-/// What a method made of one family.
-struct Judgement {
-  std::size_t n = 0, wrong = 0, undecided = 0;
-  double error_median = std::nan(""), error_max = std::nan("");
-};
-
-/// Something told of an input or an answer: words, or numbers, written as their type writes them.
-struct Fact {
-  std::string name;
-  std::string words = {};
-  std::vector<double> values = {};
-  bool in_float = false;
-};
-
-/// A field of a figure's input, as its C++ names it.
-struct Field {
-  std::string name;
-  std::vector<double> values;
-};
-
-/// An input and two answers to it, as a reader sees them.
-struct Example {
-  std::vector<Fact> facts;
-  std::string figure = {};  ///< NAME of the chapter's figure that shows the input; empty: none can
-  std::vector<Field> fields = {};
-  std::string note = {};  ///< what the figure shows differently, or why no figure can show it
-};
-
-/// The numbers of a vector, or of any other range.
-template <class Numbers>
-Fact numbers(std::string name, const Numbers& range) {
-  Fact fact{std::move(name)};
-  for (const auto& x : range) {
-    fact.in_float = std::is_same_v<std::decay_t<decltype(x)>, float>;
-    fact.values.push_back(static_cast<double>(x));
-  }
-  return fact;
-}
-template <class S>
-Fact number(std::string name, S x) {
-  return numbers(std::move(name), std::array<S, 1>{x});
-}
-
-/// A vector as a field of a figure.
-template <class Numbers>
-Field field(std::string name, const Numbers& range) {
-  return {std::move(name), numbers("", range).values};
-}
-
-/// An input on which a method fails.
-struct Failure {
-  std::size_t input = 0;  ///< its index in the family
-  bool simplified = false;
-  Verdict verdict;
-  Example example;
-};
-
-/// A median between its quartiles.
-struct Spread {
-  double median = 0, q1 = 0, q3 = 0;
-};
-
-/// The quartiles of at least one number, between neighbours by linear interpolation.
-inline Spread spread(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const auto at = [&values](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-  };
-  return {at(0.5), at(0.25), at(0.75)};
-}
-
-/// A ladder whatever its inputs and answers: what the program and the page see.
-class Experiment {
- public:
-  virtual ~Experiment() = default;
-  virtual const std::string& question() const = 0;
-  virtual const std::vector<Family>& families() const = 0;
-  virtual const std::vector<Method>& methods() const = 0;
-  /// Makes n inputs and their true answers, or as many as the ladder makes at most.
-  virtual void prepare(std::size_t family, std::size_t n) = 0;
-  /// Answers every input once; nothing but the method is done here, so the caller times it.
-  virtual void pass(std::size_t method) = 0;
-  /// Compares the last pass with the truth.
-  virtual Judgement judge() const = 0;
-  /// An input on which the last pass, which was of this method, was wrong, or with by_error the one
-  /// with its largest error; nothing if there is none. One that a figure can show is preferred.
-  virtual std::optional<Failure> failure(std::size_t method, bool by_error) const = 0;
-};
 
 /// Failing inputs are kept by the native program; the page's module has no code for them.
 #if defined(__wasm__)
@@ -206,6 +98,17 @@ class Ladder : public Experiment {
     if constexpr (keeps_failures) calls_.push_back(call);
   }
 
+  /// Adds a method that the page has in JavaScript.
+  /// @param ask appends the numbers of one question to a vector
+  /// @param tell makes an answer of the numbers of one; it is also given the truth, for what the
+  /// peer by its own definition answers differently
+  void peer(Peer about, std::function<void(const Input&, std::vector<double>&)> ask,
+            std::function<Answer(const double*, const Answer& right)> tell) {
+    peers_.push_back(std::move(about));
+    ask_.push_back(std::move(ask));
+    tell_.push_back(std::move(tell));
+  }
+
   /// Makes at most n inputs of a family, however many are asked for: methods that take long.
   void at_most(std::size_t n) { most_ = n; }
 
@@ -235,6 +138,7 @@ class Ladder : public Experiment {
   const std::string& question() const override { return question_; }
   const std::vector<Family>& families() const override { return families_; }
   const std::vector<Method>& methods() const override { return methods_; }
+  const std::vector<Peer>& peers() const override { return peers_; }
 
   void prepare(std::size_t family, std::size_t asked) override {
     const std::size_t n = std::min(asked, most_);
@@ -251,6 +155,21 @@ class Ladder : public Experiment {
   }
 
   void pass(std::size_t method) override { loops_[method](inputs_, answers_); }
+
+  std::vector<double> questions(std::size_t peer) const override {
+    std::vector<double> numbers;
+    numbers.reserve(inputs_.size() * peers_[peer].asks);
+    for (const Input& input : inputs_) ask_[peer](input, numbers);
+    return numbers;
+  }
+
+  void take(std::size_t peer, const std::vector<double>& answers) override {
+    const std::size_t tells = peers_[peer].tells;
+    if (answers.size() != tells * answers_.size()) std::abort();
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+      answers_[i] = tell_[peer](answers.data() + i * tells, truths_[i]);
+    }
+  }
 
   Judgement judge() const override {
     Judgement result;
@@ -328,6 +247,9 @@ class Ladder : public Experiment {
   std::vector<Family> families_;
   std::vector<Generator> generators_;
   std::vector<Method> methods_;
+  std::vector<Peer> peers_;
+  std::vector<std::function<void(const Input&, std::vector<double>&)>> ask_;
+  std::vector<std::function<Answer(const double*, const Answer&)>> tell_;
   Show show_;
   Simplify simplify_;
   std::vector<std::function<Answer(const Input&)>> calls_;
@@ -355,19 +277,32 @@ class Parts : public Experiment {
       methods_.push_back(std::move(method));
       of_method_.push_back({parts_.size(), of_method_.size() - first_method_});
     }
+    for (Peer peer : part.peers()) {
+      peer.part = part.question();
+      peers_.push_back(std::move(peer));
+      of_peer_.push_back({parts_.size(), of_peer_.size() - first_peer_});
+    }
     first_family_ = of_family_.size();
     first_method_ = of_method_.size();
+    first_peer_ = of_peer_.size();
     parts_.push_back(std::make_unique<Part>(std::move(part)));
   }
 
   const std::string& question() const override { return question_; }
   const std::vector<Family>& families() const override { return families_; }
   const std::vector<Method>& methods() const override { return methods_; }
+  const std::vector<Peer>& peers() const override { return peers_; }
   void prepare(std::size_t family, std::size_t n) override {
     current_ = parts_[of_family_[family].part].get();
     current_->prepare(of_family_[family].index, n);
   }
   void pass(std::size_t method) override { current_->pass(of_method_[method].index); }
+  std::vector<double> questions(std::size_t peer) const override {
+    return current_->questions(of_peer_[peer].index);
+  }
+  void take(std::size_t peer, const std::vector<double>& answers) override {
+    current_->take(of_peer_[peer].index, answers);
+  }
   Judgement judge() const override { return current_->judge(); }
   std::optional<Failure> failure(std::size_t method, bool by_error) const override {
     return current_->failure(of_method_[method].index, by_error);
@@ -380,8 +315,9 @@ class Parts : public Experiment {
   std::string question_;
   std::vector<Family> families_;
   std::vector<Method> methods_;
-  std::vector<Place> of_family_, of_method_;
-  std::size_t first_family_ = 0, first_method_ = 0;
+  std::vector<Peer> peers_;
+  std::vector<Place> of_family_, of_method_, of_peer_;
+  std::size_t first_family_ = 0, first_method_ = 0, first_peer_ = 0;
   std::vector<std::unique_ptr<Experiment>> parts_;
   Experiment* current_ = nullptr;
 };
@@ -390,94 +326,9 @@ class Parts : public Experiment {
 /// table, or JSON.
 int run_program(Experiment& experiment, const char* chapter, int argc, char** argv);
 
-/// Text between quotes; ids and titles need no other escapes.
-inline std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
-
-/// What there is to run, as JSON.
-inline std::string layout(const Experiment& experiment) {
-  std::string text = "{\"question\":" + quoted(experiment.question()) + ",\"families\":[";
-  for (const Family& family : experiment.families()) {
-    if (text.back() == '}') text += ",";
-    text += "{\"id\":" + quoted(family.id) + ",\"title\":" + quoted(family.title) +
-            ",\"part\":" + quoted(family.part) + "}";
-  }
-  text += "],\"methods\":[";
-  for (const Method& method : experiment.methods()) {
-    if (text.back() == '}') text += ",";
-    text += "{\"id\":" + quoted(method.id) + ",\"title\":" + quoted(method.title) +
-            ",\"scalar\":" + quoted(method.scalar) +
-            ",\"exact\":" + (method.exact ? "true" : "false") + ",\"part\":" + quoted(method.part) +
-            "}";
-  }
-  return text + "]}";
-}
-
-/// The timed passes of one method in the page, after one that warms up: enough for a median, few
-/// enough to wait for.
-inline constexpr int passes_in_page = 7;
-
-/// One method on the prepared family: the nine numbers of `run`.
-template <class Now>
-void run_in_page(Experiment& experiment, std::size_t method, const Now& now_in_ms, double* to) {
-  experiment.pass(method);
-  const Judgement judged = experiment.judge();
-  std::vector<double> ns;
-  // A browser's clock is coarse: a pass that it cannot resolve is repeated until it can.
-  constexpr double long_enough = 4;
-  for (int i = 0; i < passes_in_page; ++i) {
-    const double start = now_in_ms();
-    double elapsed = 0;
-    int rounds = 0;
-    while (elapsed < long_enough) {
-      experiment.pass(method);
-      ++rounds;
-      elapsed = now_in_ms() - start;
-    }
-    ns.push_back(elapsed * 1e6 / (rounds * static_cast<double>(judged.n)));
-  }
-  const Spread times = spread(std::move(ns));
-  for (const double value :
-       {static_cast<double>(judged.n), static_cast<double>(judged.wrong),
-        static_cast<double>(judged.undecided), judged.error_median, judged.error_max, times.median,
-        times.q1, times.q3, double{passes_in_page}}) {
-    *to++ = value;
-  }
-}
-
 }  // namespace ladder
 
-#if defined(__wasm__)
-#define LADDER_EXPORT(name) [[gnu::used]] __attribute__((export_name(name)))
-/// Makes the module's exports from a function that returns a ladder.
-#define LADDER(make)                                                                              \
-  __attribute__((import_module("env"), import_name("now"))) extern "C" double ladder_now_in_ms(); \
-  static auto& the_ladder() {                                                                     \
-    static auto ladder = make();                                                                  \
-    return ladder;                                                                                \
-  }                                                                                               \
-  LADDER_EXPORT("layout") const char* ladder_layout() {                                           \
-    static const std::string text = ladder::layout(the_ladder());                                 \
-    return text.c_str();                                                                          \
-  }                                                                                               \
-  LADDER_EXPORT("prepare") void ladder_prepare(int family, int n) {                               \
-    the_ladder().prepare(static_cast<std::size_t>(family), static_cast<std::size_t>(n));          \
-  }                                                                                               \
-  LADDER_EXPORT("pass") void ladder_pass(int method) {                                            \
-    the_ladder().pass(static_cast<std::size_t>(method));                                          \
-  }                                                                                               \
-  LADDER_EXPORT("run") const double* ladder_run(int method) {                                     \
-    static double row[9];                                                                         \
-    ladder::run_in_page(the_ladder(), static_cast<std::size_t>(method), ladder_now_in_ms, row);   \
-    return row;                                                                                   \
-  }
-#else
+#if !defined(__wasm__)
 /// Makes the program from a function that returns a ladder; the build defines whose it is.
 #define LADDER(make)                                                    \
   int main(int argc, char** argv) {                                     \

@@ -127,6 +127,53 @@ TEST_CASE("a failure is simplified as far as the method stays wrong") {
   CHECK(failure->example.facts[0].values == std::vector<double>{9});
 }
 
+TEST_CASE("a peer is asked in numbers, and its answers are compared with the truth") {
+  auto sums = experiment(false);
+  sums.peer(
+      {.id = "peer", .title = "peer", .scalar = "JavaScript", .asks = 10, .tells = 2},
+      [](const Numbers& numbers, std::vector<double>& to) {
+        to.insert(to.end(), numbers.begin(), numbers.end());
+      },
+      // It tells two halves, and of a truth above 45 nothing that could be wrong.
+      [](const double* told, const int& right) {
+        return right > 45 ? right : static_cast<int>(told[0] + told[1]);
+      });
+  ladder::Parts parts("Sums");
+  ladder::Ladder<int, bool> other(
+      "Another?", [](const int&) { return true; },
+      [](const bool&, const bool&) { return ladder::Verdict(); });
+  other.family("any", "any", [](generators::Random& random) { return random.integer(0, 9); });
+  parts.add(std::move(other));
+  parts.add(std::move(sums));
+  REQUIRE(parts.peers().size() == 1);
+  CHECK(parts.peers()[0].part == "How large is the sum?");
+  CHECK(ladder::layout(parts).ends_with(
+      R"("peers":[{"id":"peer","title":"peer","scalar":"JavaScript","asks":10,"tells":2,)"
+      R"("part":"How large is the sum?"}]})"));
+  constexpr std::size_t n = 100;
+  parts.prepare(1 + with, n);
+  ladder::Exchange exchange;
+  const double* asked = exchange.questions(parts, 0);
+  const std::vector<double> questions(asked, asked + 10 * n);
+  std::size_t wrong = 0;
+  double* told = exchange.answers(parts, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 10; ++k) sum += questions[10 * i + k];
+    const bool off = i % 4 == 0;
+    if (off && sum <= 45) ++wrong;
+    told[2 * i] = 2;
+    told[2 * i + 1] = sum - 2 + (off ? 1 : 0);
+  }
+  const double* judged = exchange.judge(parts, 0);
+  REQUIRE(wrong > 0);
+  REQUIRE(wrong < n / 4);
+  CHECK(judged[0] == n);
+  CHECK(judged[1] == static_cast<double>(wrong));
+  CHECK(judged[2] == 0);
+  CHECK(judged[4] == 1);
+}
+
 TEST_CASE("a ladder of slow methods makes at most as many inputs as it says") {
   auto sums = experiment(false);
   sums.at_most(20);

@@ -10,6 +10,7 @@
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/filter.hpp>
 #include <contact/mesh.hpp>
+#include <contact/mesh_times.hpp>
 #include <contact/passage.hpp>
 #include <contact/ray_triangle.hpp>
 #include <contact/shapes.hpp>
@@ -47,77 +48,6 @@ struct MeshHit {
 // [/mesh-hit]
 
 namespace detail {
-
-/// The unit roundoff of double.
-inline constexpr double mesh_u = std::numeric_limits<double>::epsilon() / 2;
-
-/// The 1-norm.
-inline double sum_of_sizes(const Vector3<double>& v) {
-  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
-}
-
-/// The differences of a query in double or without error: those of ExactQuery.
-template <Ring T, class Line>
-LineAndTriangle<T> differences_of(const Line& line, const Triangle<double>& triangle) {
-  const auto as = [](const Vector3<double>& v) { return Vector3<T>(T(v.x()), T(v.y()), T(v.z())); };
-  const Vector3<T> start = as(start_of(line));
-  const Vector3<T> a = as(triangle.a), b = as(triangle.b), c = as(triangle.c);
-  LineAndTriangle<T> x;
-  x.a = a - start;
-  x.b = b - start;
-  x.c = c - start;
-  x.ab = b - a;
-  x.ac = c - a;
-  if constexpr (has_end<Line>) {
-    x.direction = as(line.end) - start;
-    x.end_a = a - as(line.end);
-  } else {
-    x.direction = as(line.direction);
-  }
-  return x;
-}
-
-/// A determinant without error.
-inline Exact exact_determinant(const LineAndTriangle<Exact>& x, Determinant which) {
-  return evaluate(x, which, [](const auto& p, const auto& q, const auto& r) {
-    return Exact(p.dot(Vector3<Exact>(q.cross(r))));
-  });
-}
-
-// [mesh-time]
-/// A triangle that a line meets, and its t as far as double gives it.
-struct MeshMeeting {
-  int triangle = -1;
-  double t = 0;
-  double bound = 0;       ///< the exact t differs by at most this; infinite or NaN: unknown
-  bool interior = false;  ///< whether it is certain that the line passes inside all edges
-
-  /// An upper bound of the exact t; infinite or NaN if there is none.
-  double latest() const { return t + bound; }
-};
-
-/// The sign of t_x − t_y, where a line meets both triangles: t is a quotient of two determinants.
-template <class Line>
-[[gnu::noinline]] int compare_times(const Line& line, const Triangle<double>& x,
-                                    const Triangle<double>& y) {
-  const LineAndTriangle<Exact> at_x = differences_of<Exact>(line, x);
-  const LineAndTriangle<Exact> at_y = differences_of<Exact>(line, y);
-  const Exact below_x = exact_determinant(at_x, Determinant::denominator);
-  const Exact below_y = exact_determinant(at_y, Determinant::denominator);
-  const Exact above_x = exact_determinant(at_x, Determinant::start);
-  const Exact above_y = exact_determinant(at_y, Determinant::start);
-  return (above_x * below_y - above_y * below_x).sign() * below_x.sign() * below_y.sign();
-}
-
-/// The same for two meetings: exact arithmetic only if the intervals of t overlap.
-template <class Line>
-int compare_meetings(const Line& line, const MeshMeeting& x, const MeshMeeting& y,
-                     const Triangle<double>& triangle_x, const Triangle<double>& triangle_y) {
-  if (x.t + x.bound < y.t - y.bound) return -1;
-  if (x.t - x.bound > y.t + y.bound) return 1;
-  return compare_times(line, triangle_x, triangle_y);
-}
-// [/mesh-time]
 
 // [mesh-line]
 /// A line prepared for many triangles: for most of them double decides, with one bound for all
@@ -180,7 +110,7 @@ class MeshLine {
       if (starts && ends) {
         const double t = above / denominator;
         const double error = (above_room + t * room) / (std::abs(denominator) - room);
-        return MeshMeeting{-1, t, 2 * error + 8 * mesh_u * t + 0x1p-1000, true};
+        return MeshMeeting{-1, t, 2 * error + 8 * mesh_u * t + 0x1p-1000};
       }
     }
     return meet_closely(triangle);
@@ -191,6 +121,9 @@ class MeshLine {
   Vector3<double> start_, direction_;
   double size_ = 0;
   bool meets_any_ = false;
+  /// A vertex that is exactly on the line, once one was met: the fan around it needs exact
+  /// arithmetic only once.
+  mutable std::optional<Vector3<double>> on_line_;
 
   static double dot_of(const Vector3<double>& x, const Vector3<double>& y) {
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
@@ -199,24 +132,54 @@ class MeshLine {
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
   }
 
-  /// Decides in doubt.
+  /// Decides in doubt: as ExactQuery does, and with the same signs it says which weights are 0.
   [[gnu::noinline]] std::optional<MeshMeeting> meet_closely(
       const Triangle<double>& triangle) const {
-    ExactQuery query(line_, triangle, true);
-    if (!query.finite() || !query.meets()) return std::nullopt;
+    if (!all_finite(triangle.a) || !all_finite(triangle.b) || !all_finite(triangle.c)) {
+      return std::nullopt;
+    }
     const LineAndTriangle<double> x = differences_of<double>(line_, triangle);
+    std::optional<LineAndTriangle<Exact>> exact;
+    const auto exactly = [&](Determinant which) {
+      if (!exact) exact = differences_of<Exact>(line_, triangle);
+      return exact_determinant(*exact, which);
+    };
+    const auto sign = [&](Determinant which) {
+      const int certain = evaluate(x, which, bounded_volume).certain_sign();
+      return certain != 0 ? certain : exactly(which).sign();
+    };
+    MeshMeeting met;
+    int side = 0;
+    constexpr std::array edges{Determinant::of_a, Determinant::of_b, Determinant::of_c};
+    const std::array<const Vector3<double>*, 3> vertices{&triangle.a, &triangle.b, &triangle.c};
+    const auto on_line = [&](std::size_t k) { return on_line_ && *on_line_ == *vertices[k]; };
+    for (std::size_t k = 0; k < 3; ++k) {
+      // An edge from a vertex on the line has no volume with the line.
+      const bool touches = on_line((k + 1) % 3) || on_line((k + 2) % 3);
+      const int s = touches ? 0 : sign(edges[k]);
+      if (s * side < 0) return std::nullopt;
+      if (s != 0) side = s;
+      met.zero[k] = s == 0;
+    }
+    if (side == 0) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (met.zero[(k + 1) % 3] && met.zero[(k + 2) % 3]) on_line_ = *vertices[k];
+    }
+    if (sign(Determinant::start) * side < 0) return std::nullopt;
+    if (has_end<Line> && sign(Determinant::end) * side > 0) return std::nullopt;
+
     const Bounded above = evaluate(x, Determinant::start, bounded_volume);
     const Bounded below = evaluate(x, Determinant::denominator, bounded_volume);
-    const double t = above.value / below.value;
+    met.t = above.value / below.value;
     const double least = std::abs(below.value) - below.bound;
-    if (least > 0 && std::isfinite(t)) {
-      const double error = (above.bound + std::abs(t) * below.bound) / least;
-      return MeshMeeting{-1, t, 2 * error + 8 * mesh_u * std::abs(t) + 0x1p-1000, false};
+    if (least > 0 && std::isfinite(met.t)) {
+      const double error = (above.bound + std::abs(met.t) * below.bound) / least;
+      met.bound = 2 * error + 8 * mesh_u * std::abs(met.t) + 0x1p-1000;
+    } else {
+      met.t = quotient<double>(exactly(Determinant::start), exactly(Determinant::denominator));
+      met.bound = 8 * mesh_u * met.t + 0x1p-1000;
     }
-    const LineAndTriangle<Exact> exact = differences_of<Exact>(line_, triangle);
-    const double rounded = quotient<double>(exact_determinant(exact, Determinant::start),
-                                            exact_determinant(exact, Determinant::denominator));
-    return MeshMeeting{-1, rounded, 8 * mesh_u * rounded + 0x1p-1000, false};
+    return met;
   }
 };
 // [/mesh-line]
@@ -224,19 +187,10 @@ class MeshLine {
 // [mesh-feature]
 /// Sets the feature: the line meets a face if none of the three weights is exactly 0, an edge if
 /// one is, a vertex if two are. Weights that are 0 become 0.
-template <FloatOrDouble S, class Line>
-void name_feature(MeshHit<S>& answer, const Line& line, const Triangle<S>& triangle,
+/// @param zero which weights are exactly 0
+template <FloatOrDouble S>
+void name_feature(MeshHit<S>& answer, const std::array<bool, 3>& zero, const Triangle<S>& triangle,
                   const std::array<int, 3>& vertices) {
-  const Triangle<double> stored = contact::in_double(triangle);
-  const LineAndTriangle<double> rough = differences_of<double>(line, stored);
-  std::optional<LineAndTriangle<Exact>> exact;
-  const auto is_zero = [&](Determinant which) {
-    if (evaluate(rough, which, bounded_volume).certain_sign() != 0) return false;
-    if (!exact) exact = differences_of<Exact>(line, stored);
-    return exact_determinant(*exact, which).sign() == 0;
-  };
-  const std::array<bool, 3> zero{is_zero(Determinant::of_a), is_zero(Determinant::of_b),
-                                 is_zero(Determinant::of_c)};
   const std::array<const Vector3<S>*, 3> corners{&triangle.a, &triangle.b, &triangle.c};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
@@ -320,10 +274,7 @@ MeshHit<S> mesh_answer(const Line& line, const DoubleLine& in_doubles, const Mes
   answer.point = point_of_line(line, hit.t)
                      .cwiseMax(triangle.a.cwiseMin(triangle.b).cwiseMin(triangle.c))
                      .cwiseMin(triangle.a.cwiseMax(triangle.b).cwiseMax(triangle.c));
-  if (!met.interior) {
-    name_feature(answer, in_doubles, triangle,
-                 mesh.triangles[static_cast<std::size_t>(met.triangle)]);
-  }
+  name_feature(answer, met.zero, triangle, mesh.triangles[static_cast<std::size_t>(met.triangle)]);
   return answer;
 }
 // [/mesh-answer]

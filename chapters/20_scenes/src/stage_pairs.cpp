@@ -79,23 +79,31 @@ CONTACT_SCENES_INLINE Aabb<double> swept_box(const SteppedSetup& setup, const St
 
 namespace detail {
 
+/// Whether a box reaches into the half-space with that index in the list of bodies.
+CONTACT_SCENES_INLINE bool reaches_wall(const SteppedSetup& setup, std::size_t slot,
+                                        const Aabb<double>& box) {
+  const auto& wall = std::get<HalfSpace<double>>(setup.bodies[slot].shape).boundary;
+  double lowest = -wall.offset;  // of the box's vertices
+  for (int axis = 0; axis < 3; ++axis) {
+    const double n = wall.normal(axis);
+    lowest += n * (n > 0 ? box.low(axis) : box.high(axis));
+  }
+  return lowest <= 0;
+}
+
 CONTACT_SCENES_INLINE void record_pairs(const SteppedSetup& setup, const SteppedState& state,
                                         Substep& substep, std::span<const Aabb<double>> boxes,
                                         std::vector<BoxPair> found) {
-  for (std::size_t k = setup.bounded; k < setup.bodies.size(); ++k) {
-    const auto& wall = std::get<HalfSpace<double>>(setup.bodies[k].shape).boundary;
-    for (std::size_t i = 0; i < setup.movers; ++i) {
-      double lowest = -wall.offset;  // of the box's vertices
-      for (int axis = 0; axis < 3; ++axis) {
-        const double n = wall.normal(axis);
-        lowest += n * (n > 0 ? boxes[i].low(axis) : boxes[i].high(axis));
-      }
-      if (lowest <= 0)
+  const auto bounded = static_cast<std::ptrdiff_t>(found.size());
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    for (std::size_t k = setup.bounded; k < setup.bodies.size(); ++k) {
+      if (reaches_wall(setup, k, boxes[i]))
         found.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)});
     }
   }
-  std::sort(found.begin(), found.end());
+  std::inplace_merge(found.begin(), found.begin() + bounded, found.end());
   substep.pairs.clear();
+  substep.pairs.reserve(found.size());
   for (const BoxPair& pair : found) {
     const bool still = pair.b >= setup.movers || sleeps(state, pair.b);
     if (pair.a >= setup.movers || (sleeps(state, pair.a) && still)) continue;
@@ -134,11 +142,71 @@ CONTACT_SCENES_INLINE bool may_reach(const SteppedSetup& setup, const SteppedSta
 
 }  // namespace detail
 
+namespace detail {
+
+/// Boxes in the order of their lower ends along x: a search for those that touch a box leaves out
+/// the ones that end before it or begin after it.
+struct BoxesAlongX {
+  std::vector<Aabb<double>> boxes;
+  std::vector<std::size_t> order;
+  std::vector<double> begins;  ///< of each, in this order
+  std::vector<double> ends;    ///< the largest upper end of the boxes so far, in this order
+};
+
+CONTACT_SCENES_INLINE BoxesAlongX boxes_along_x(const SteppedSetup& setup,
+                                                const SteppedState& state, const Substep& substep) {
+  BoxesAlongX all;
+  const std::size_t n = setup.bounded;
+  all.boxes.reserve(n);
+  all.order.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    all.boxes.push_back(swept_box(setup, state, substep, i));
+    all.order[i] = i;
+  }
+  // Without an order of its ends, each is compared with all.
+  if (!std::all_of(all.boxes.begin(), all.boxes.end(), is_box<double>)) return all;
+  std::sort(all.order.begin(), all.order.end(), [&](std::size_t i, std::size_t k) {
+    return all.boxes[i].low.x() < all.boxes[k].low.x();
+  });
+  all.begins.reserve(n);
+  all.ends.reserve(n);
+  for (const std::size_t i : all.order) {
+    all.begins.push_back(all.boxes[i].low.x());
+    const double end = all.boxes[i].high.x();
+    all.ends.push_back(all.ends.empty() ? end : std::max(all.ends.back(), end));
+  }
+  return all;
+}
+
+/// The bodies whose boxes may touch that of a body: a part of the order.
+CONTACT_SCENES_INLINE std::span<const std::size_t> beside(const BoxesAlongX& all,
+                                                          std::size_t slot) {
+  if (all.begins.empty()) return all.order;
+  const Aabb<double>& box = all.boxes[slot];
+  const auto first = std::lower_bound(all.ends.begin(), all.ends.end(), box.low.x());
+  const auto last = std::upper_bound(all.begins.begin(), all.begins.end(), box.high.x());
+  const auto from = static_cast<std::size_t>(first - all.ends.begin());
+  const auto to = static_cast<std::size_t>(last - all.begins.begin());
+  return std::span(all.order).subspan(from, to - from);
+}
+
+/// Whether a pair has a contact in this substep already, or a spring.
+CONTACT_SCENES_INLINE bool is_known(const Substep& substep, std::size_t a, std::size_t b) {
+  const auto before = [](const NearPair& pair, const std::pair<std::size_t, std::size_t>& other) {
+    return std::pair{pair.a, pair.b} < other;
+  };
+  const auto at =
+      std::lower_bound(substep.pairs.begin(), substep.pairs.end(), std::pair{a, b}, before);
+  return at != substep.pairs.end() && at->a == a && at->b == b &&
+         (!at->manifold.points.empty() || at->material.stiffness);
+}
+
+}  // namespace detail
+
 // [flung]
-CONTACT_SCENES_INLINE bool deflected_at_others(const SteppedSetup& setup, SteppedState& state,
-                                               Substep& substep, StepStage find) {
-  std::vector<bool> farther(setup.movers, false);
-  bool any = false;
+CONTACT_SCENES_INLINE bool deflected_at_others(const SteppedSetup& setup, const SteppedState& state,
+                                               Substep& substep) {
+  std::vector<std::size_t> farther;
   Substep wider;
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (!substep.contacted[i]) continue;
@@ -151,24 +219,27 @@ CONTACT_SCENES_INLINE bool deflected_at_others(const SteppedSetup& setup, Steppe
     if (wider.deflection.empty()) wider.deflection = substep.deflection;
     wider.deflection.resize(setup.movers, 0.0);
     wider.deflection[i] = 2 * way;
-    farther[i] = any = true;
+    farther.push_back(i);
   }
-  if (!any) return false;
+  if (farther.empty()) return false;
   wider.left = substep.left;
-  const std::uint64_t counted = state.counts.pairs;
-  find(setup, state, wider);
-  state.counts.pairs = counted;
-  const auto at = [&](const NearPair& pair) { return std::pair{pair.a, pair.b}; };
-  std::size_t k = 0;
-  bool found = false;
-  for (const NearPair& pair : wider.pairs) {
-    while (k < substep.pairs.size() && at(substep.pairs[k]) < at(pair)) ++k;
-    const bool known = k < substep.pairs.size() && at(substep.pairs[k]) == at(pair);
-    if (known && (!substep.pairs[k].manifold.points.empty() || substep.pairs[k].material.stiffness))
-      continue;
-    const bool deflection = farther[pair.a] || (pair.b < setup.movers && farther[pair.b]);
-    found = found || (deflection && detail::may_reach(setup, state, wider, pair));
-  }
+  // Only pairs of these can be new, and one is enough.
+  const detail::BoxesAlongX all = detail::boxes_along_x(setup, state, wider);
+  const auto meets = [&](std::size_t i, std::size_t other) {
+    NearPair pair;
+    pair.a = std::min(i, other);
+    pair.b = std::max(i, other);
+    const bool still = pair.b >= setup.movers || sleeps(state, pair.b);
+    return !(sleeps(state, pair.a) && still) && !detail::is_known(substep, pair.a, pair.b) &&
+           detail::may_reach(setup, state, wider, pair);
+  };
+  const bool found = std::any_of(farther.begin(), farther.end(), [&](std::size_t i) {
+    for (const std::size_t other : detail::beside(all, i))
+      if (other != i && boxes_touch(all.boxes[i], all.boxes[other]) && meets(i, other)) return true;
+    for (std::size_t k = setup.bounded; k < setup.bodies.size(); ++k)
+      if (detail::reaches_wall(setup, k, all.boxes[i]) && meets(i, k)) return true;
+    return false;
+  });
   if (found) substep.deflection = wider.deflection;
   return found;
 }

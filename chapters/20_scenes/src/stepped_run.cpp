@@ -197,8 +197,8 @@ class SteppedRun final : public SceneRun {
         // near: then it is repeated, shorter or with more pairs.
         const double turn = std::max(longest_rotation(setup_, substep_), length * 0x1p-12);
         const bool turns = turn < substep_.planned / 2;
-        const bool flies = setup_.continuous && anew < max_retries &&
-                           deflected_at_others(setup_, state, substep_, line_.substep.front().run);
+        const bool flies =
+            setup_.continuous && anew < max_retries && deflected_at_others(setup_, state, substep_);
         if (!turns && !flies) continue;
         longest = turns ? turn : substep_.planned;
         again = true;

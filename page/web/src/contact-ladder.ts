@@ -15,10 +15,12 @@ import {
   kindOf,
   type LadderFailure,
   type LadderFailures,
+  type LadderMethod,
   type LadderResult,
   type LadderRow,
   methodName,
   type WorkerMessage,
+  withPeers,
 } from "./ladder-data.ts";
 import { ladderPicture } from "./ladder-picture.ts";
 import { bookNumbers, ownNumbers } from "./ladder-tables.ts";
@@ -36,6 +38,7 @@ export class ContactLadder extends HTMLElement {
   #worker: Worker | undefined;
   #waiting: AbortController | undefined;
   #rows: LadderRow[] = [];
+  #peers: readonly LadderMethod[] = [];
   #result: LadderResult | undefined;
   #picture: HTMLElement | undefined;
   #panel = html("section", { class: "cell", id: freshId("cell"), tabindex: "-1" });
@@ -85,13 +88,18 @@ export class ContactLadder extends HTMLElement {
     this.#draw();
   }
 
+  /** The book's measurement and, after a run, the peers. */
+  #shown(): LadderResult {
+    return withPeers(this.#result!, this.#peers, this.#rows);
+  }
+
   #draw(): void {
     const { activeElement } = document;
     const at =
       activeElement && this.#picture?.contains(activeElement) ? where(activeElement) : undefined;
     const tables = (): Element[] => [...this.#picture!.querySelectorAll(".scrolling")];
     const scrolled = tables().map(({ scrollLeft }) => scrollLeft);
-    this.#picture!.innerHTML = ladderPicture(this.#result!, { here: this.#rows, pressable: true });
+    this.#picture!.innerHTML = ladderPicture(this.#shown(), { here: this.#rows, pressable: true });
     for (const [i, table] of tables().entries()) table.scrollLeft = scrolled[i] ?? 0;
     this.#apply();
     if (at) this.#cell(at.method, at.family)?.focus();
@@ -174,7 +182,7 @@ export class ContactLadder extends HTMLElement {
     const at = target.closest("button") ? where(target) : undefined;
     if (!at) return;
     const again = this.#opened?.method.id === at.method && this.#opened.family.id === at.family;
-    this.#opened = again ? undefined : cellOf(this.#result!, this.#rows, at.method, at.family);
+    this.#opened = again ? undefined : cellOf(this.#shown(), this.#rows, at.method, at.family);
     this.#show();
     this.#apply();
     if (this.#opened?.row.fails && !this.#opened.row.failure) void this.#loadFailures();
@@ -208,7 +216,7 @@ export class ContactLadder extends HTMLElement {
   #renew(): void {
     if (!this.#opened) return;
     const { method, family } = this.#opened;
-    this.#opened = cellOf(this.#result!, this.#rows, method.id, family.id);
+    this.#opened = cellOf(this.#shown(), this.#rows, method.id, family.id);
     this.#show();
   }
 
@@ -231,7 +239,7 @@ export class ContactLadder extends HTMLElement {
     if (failure && figure)
       buttons.append(button("Open in the figure", () => void this.#open(figure, failure, title)));
     buttons.append(close);
-    this.#panel.innerHTML = `<div class="told"><h3></h3><p>${summary(cell)}</p>${failureOf(cell)}</div>${scatter(this.#result!, this.#rows, cell)}`;
+    this.#panel.innerHTML = `<div class="told"><h3></h3><p>${summary(cell)}</p>${failureOf(cell)}</div>${scatter(this.#shown(), this.#rows, cell)}`;
     this.#panel.querySelector("h3")!.textContent = title;
     this.#panel.querySelector(".told")!.append(buttons);
   }
@@ -300,14 +308,16 @@ export class ContactLadder extends HTMLElement {
         html("div", { class: "wide" }),
         "Your own measurements, may scroll sideways",
       );
-      place.append(ownNumbers(result, this.#rows));
+      place.append(ownNumbers(this.#shown(), this.#rows));
       numbers.replaceChildren(html("summary", {}, "Your own numbers"), place);
       numbers.hidden = false;
       this.#draw();
       this.#renew();
     };
     const receive = ({ data }: MessageEvent<WorkerMessage>): void => {
-      if (data.kind === "row") {
+      if (data.kind === "peers") {
+        this.#peers = data.peers;
+      } else if (data.kind === "row") {
         this.#rows.push(data.row);
         progress.value = data.done / data.of;
         status.textContent = `${data.done} of ${data.of}`;

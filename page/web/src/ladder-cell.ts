@@ -9,6 +9,7 @@ import {
   type LadderResult,
   type LadderRow,
   methodName,
+  withoutPeers,
 } from "./ladder-data.ts";
 import {
   cellValue,
@@ -52,7 +53,7 @@ export function cellOf(
   const row = result.results.find(is);
   if (!about || !inputs || !row) return undefined;
   const measure = measureOf(result, family);
-  return { method: about, family: inputs, row, own: here.find(is), measure };
+  return { method: about, family: inputs, row, own: about.peer ? row : here.find(is), measure };
 }
 
 const px = (x: number): string => x.toFixed(1);
@@ -101,8 +102,8 @@ function nameAt([x, y]: Point, marks: readonly Point[], width: number, axisName:
 export function scatter(result: LadderResult, here: readonly LadderRow[], cell: Cell): string {
   const { family, measure } = cell;
   const inFamily = (row: LadderRow): boolean => row.family === family.id;
-  const book = result.results.filter(inFamily);
   const own = here.filter(inFamily);
+  const book = withoutPeers(result).results.filter(inFamily);
   const all = [...book, ...own];
   const times = all.map((row) => Math.log10(row.ns_median));
   const [left, right] = [Math.min(...times) - 0.15, Math.max(...times) + 0.15];
@@ -182,7 +183,7 @@ function factsOf(failure: LadderFailure): string {
 }
 
 /** What is told of the cell, above its scatter. */
-export function summary({ row, own, measure }: Cell): string {
+export function summary({ method, row, own, measure }: Cell): string {
   const count = (of: LadderRow): string =>
     `${of.wrong.toLocaleString("en")} of ${of.n.toLocaleString("en")} answers wrong` +
     (of.undecided > 0 ? `, ${of.undecided.toLocaleString("en")} undecided` : "");
@@ -190,19 +191,24 @@ export function summary({ row, own, measure }: Cell): string {
   const time = (of: LadderRow): string =>
     `${duration(of.ns_median)} (quartiles ${duration(of.ns_q1)} to ${duration(of.ns_q3)})`;
   const said = `${count(row)}${measure === "error" || row.error_max ? error : ""}; ${time(row)}.`;
+  if (method.peer) return `In this browser: ${said}`;
   return own ? `${said} In this browser: ${count(own)}; ${time(own)}.` : said;
 }
 
 /** The input, if the method has one on which it fails. */
-export function failureOf({ row, family, measure }: Cell): string {
+export function failureOf({ method, row, family, measure }: Cell): string {
+  if (method.peer) return "<p>Inputs on which another library is wrong are not kept.</p>";
   const { failure } = row;
   if (!failure && row.fails) return '<p class="failing" role="status">Loading an input …</p>';
   if (!failure)
     return "<p>No input of this family to show: the method is not wrong on any of them.</p>";
   const number = (failure.input + 1).toLocaleString("en");
   const of = row.n.toLocaleString("en");
+  // A peer that is wrong makes a column count wrong answers, where the book kept the largest errors.
   const what =
-    measure === "wrong" ? "An input on which it is wrong" : "The input with its largest error";
+    measure === "wrong" && row.wrong > 0
+      ? "An input on which it is wrong"
+      : "The input with its largest error";
   const error = failure.error === null ? "" : `, error ${labelOf(failure.error, "error")}`;
   const smaller = failure.simplified ? ", with parts left out that do not matter" : "";
   const heading = `${what} (${escapeText(family.title)}, number ${number} of ${of}${smaller}${error})`;

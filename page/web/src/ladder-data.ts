@@ -16,6 +16,8 @@ export interface LadderMethod {
   readonly scalar: string;
   readonly exact: boolean;
   readonly recommended?: boolean;
+  /** Another library, in JavaScript: only the reader's own run has it. */
+  readonly peer?: boolean;
   /** The question that it answers, if the ladder has several. */
   readonly part?: string;
 }
@@ -61,8 +63,9 @@ export interface LadderResult {
   readonly results: readonly LadderRow[];
 }
 
-/** From the page's worker: one row each, then the end. */
+/** From the page's worker: the ladder's peers, one row each, then the end. */
 export type WorkerMessage =
+  | { readonly kind: "peers"; readonly peers: readonly LadderMethod[] }
   | { readonly kind: "row"; readonly row: LadderRow; readonly done: number; readonly of: number }
   | { readonly kind: "end"; readonly seconds: number }
   | { readonly kind: "error"; readonly message: string };
@@ -77,6 +80,33 @@ export function kindOf({ scalar, exact }: LadderMethod): Kind {
 
 export function methodName({ title, scalar }: LadderMethod): string {
   return title.toLowerCase().includes(scalar.toLowerCase()) ? title : `${title}, ${scalar}`;
+}
+
+/** The book's measurement, and what a reader's own run says of the peers. The book's rows come first. */
+export function withPeers(
+  result: LadderResult,
+  peers: readonly LadderMethod[],
+  here: readonly LadderRow[],
+): LadderResult {
+  // A ladder of one question has no parts in the book's file, and empty ones in the module.
+  const single = result.families.every(({ part }) => !part);
+  const rows = here.filter(({ method }) => peers.some(({ id }) => id === method));
+  const timed = peers
+    .filter(({ id }) => rows.some(({ method }) => method === id))
+    .map(({ part, ...peer }) => (single || part === undefined ? peer : { ...peer, part }));
+  return {
+    ...result,
+    methods: [...result.methods, ...timed],
+    results: [...result.results, ...rows],
+  };
+}
+
+/** Without what withPeers has added. */
+export function withoutPeers(result: LadderResult): LadderResult {
+  const methods = result.methods.filter(({ peer }) => !peer);
+  if (methods.length === result.methods.length) return result;
+  const results = result.results.filter(({ method }) => methods.some(({ id }) => id === method));
+  return { ...result, methods, results };
 }
 
 /** The ladders of one question each that this one consists of. */

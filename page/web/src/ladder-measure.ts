@@ -1,7 +1,12 @@
 // What a ladder's measurements say: each method's time and accuracy over all families, which methods
 // no other beats, and the sentence about the method that the book recommends.
 
-import type { LadderMethod, LadderResult, LadderRow } from "./ladder-data.ts";
+import {
+  type LadderMethod,
+  type LadderResult,
+  type LadderRow,
+  withoutPeers,
+} from "./ladder-data.ts";
 
 /** What the cells of a column show: wrong answers, or the largest error if no method is wrong. */
 export type Measure = "wrong" | "error";
@@ -95,12 +100,20 @@ export interface Rung {
   readonly frontier: boolean;
 }
 
-/** Whether the ladder counts wrong answers: some are wrong, or no row has an error to show instead. */
-export const decides = ({ results }: LadderResult): boolean =>
-  results.some((row) => row.wrong > 0) || results.every((row) => row.error_max === null);
+/**
+ * Whether the ladder counts wrong answers: some are wrong, or no row has an error to show instead. One
+ * whose every family is about the error does not: its answer is a number, and there "wrong" is only a
+ * coarse check of it, like its sign.
+ */
+export function decides(measured: LadderResult): boolean {
+  const { families, results } = withoutPeers(measured);
+  if (results.every((row) => row.error_max === null)) return true;
+  return results.some((row) => row.wrong > 0) && !families.every((family) => family.by_error);
+}
 
-/** The methods by time. */
-export function rungs(result: LadderResult): Rung[] {
+/** The book's methods by time. */
+export function rungs(measured: LadderResult): Rung[] {
+  const result = withoutPeers(measured);
   const counted = decides(result);
   const off = (method: string): number => {
     const rows = result.results.filter((row) => row.method === method);
@@ -150,9 +163,9 @@ export function proven(result: LadderResult): { name: string; words: string } | 
   const first = chosen !== fastest && alike[0] === chosen && alike.length > 1;
   const parts: string[] = [];
   if (!counted) parts.push(`no error above ${labelOf(roundedUp(chosen.off), "error")}`);
-  else if (wrong > 0) parts.push(`wrong on ${wrong.toLocaleString("en")} of ${asked} inputs`);
-  else if (!exact) parts.push(`not wrong on any of ${asked} inputs`);
-  else if (!first) parts.push("never wrong by design");
+  if (wrong > 0) parts.push(`wrong on ${wrong.toLocaleString("en")} of ${asked} inputs`);
+  else if (counted && !exact) parts.push(`not wrong on any of ${asked} inputs`);
+  else if (counted && !first) parts.push("never wrong by design");
   const like = exact
     ? "by design are never wrong"
     : counted
@@ -162,21 +175,59 @@ export function proven(result: LadderResult): { name: string; words: string } | 
   const ratio = Number((chosen.time.median / fastest.time.median).toPrecision(2));
   const times = ratio === 1 ? "about" : `${ratio}\u00a0×`;
   parts.push(chosen === fastest ? "the fastest of all" : `${times} the time of the fastest of all`);
-  const against = rivals(all, chosen, counted, wrong > 0);
+  const against = rivals(all, chosen, result);
   return { name: fullName(chosen.method), words: `${parts.join(", ")}${against}.` };
 }
 
-/** What speaks against the choice belongs to it: faster methods that failed no more on these inputs. */
-function rivals(all: readonly Rung[], chosen: Rung, counted: boolean, wrong: boolean): string {
-  const found = all.slice(0, all.indexOf(chosen)).filter((rung) => rung.off <= chosen.off);
+/**
+ * Whether a method failed no more than the choice: wrong and undecided at most as often, and with no
+ * larger error. Of families whose errors are of different magnitudes, the largest hides the others,
+ * so that a ladder which counts wrong answers compares them family by family.
+ */
+function failsNoMore(result: LadderResult, method: string, chosen: string): boolean {
+  const rowsOf = (id: string): LadderRow[] => result.results.filter((row) => row.method === id);
+  const [theirs, own] = [rowsOf(method), rowsOf(chosen)];
+  const sum = (rows: readonly LadderRow[], of: (row: LadderRow) => number): number =>
+    rows.reduce((n, row) => n + of(row), 0);
+  const most = (rows: readonly LadderRow[]): number =>
+    Math.max(0, ...rows.map((row) => row.error_max ?? Number.POSITIVE_INFINITY));
+  // Where the choice has no number, there is none to compare.
+  const numbered = own.filter((row) => row.error_max !== null).map(({ family }) => family);
+  const within = (families: readonly string[]): boolean => {
+    const [theirMost, ownMost] = [theirs, own].map((rows) =>
+      most(rows.filter(({ family }) => families.includes(family))),
+    );
+    return Number(theirMost) <= Number(ownMost);
+  };
+  return (
+    sum(theirs, (row) => row.wrong) <= sum(own, (row) => row.wrong) &&
+    sum(theirs, (row) => row.undecided) <= sum(own, (row) => row.undecided) &&
+    (decides(result) ? numbered.every((family) => within([family])) : within(numbered))
+  );
+}
+
+/**
+ * What speaks against the choice belongs to it: faster methods that failed no more on these inputs.
+ * Where the choice answers with a number, a method whose number has a larger error is none of them,
+ * however seldom it is wrong; nor is one that leaves more undecided.
+ */
+function rivals(all: readonly Rung[], chosen: Rung, result: LadderResult): string {
+  const found = all
+    .slice(0, all.indexOf(chosen))
+    .filter(({ method }) => failsNoMore(result, method.id, chosen.method.id));
   const [first] = found;
   if (!first) return "";
   const one = found.length === 1;
   // In quotes, because a name may contain a comma.
   const who = one ? `“${fullName(first.method)}”` : `${found.length} other methods`;
-  const was = one ? "was" : "were";
-  const good = counted ? `${was} ${wrong ? "no more often" : "not"} wrong` : "had no larger error";
+  const rows = result.results;
+  const numbers = rows.some((row) => row.method === chosen.method.id && row.error_max !== null);
+  const wrong = rows.some((row) => row.method === chosen.method.id && row.wrong > 0);
+  const good: string[] = [];
+  if (!numbers || rows.some((row) => row.wrong > 0))
+    good.push(`${one ? "was" : "were"} ${wrong ? "no more often" : "not"} wrong`);
+  if (numbers) good.push("had no larger error");
   const byDesign = chosen.method.exact && !found.some(({ method }) => method.exact);
   const only = byDesign ? `, but ${one ? "is" : "are"} not so by design` : "";
-  return `; ${who} ${one ? "is" : "are"} faster and ${good} on these inputs${only}`;
+  return `; ${who} ${one ? "is" : "are"} faster and ${good.join(" and ")} on these inputs${only}`;
 }

@@ -98,12 +98,12 @@ function axis({ at, ticks }: Scale): string {
 /** Bar to the median with a line from quartile to quartile, and below it a dot for each family. */
 function bar(
   scale: Scale,
-  time: Time,
+  time: Time | undefined,
   families: readonly LadderRow[],
   here: Time | undefined,
 ): string {
   const { at, ticks } = scale;
-  const middle = here ? 5 : 8;
+  const middle = !time ? 10 : here ? 5 : 8;
   const whole = (t: Time, y: number, size: number, name: string): string =>
     `<rect class="${name}" x="${BAR.inset}" y="${y - size / 2}" width="${px(Math.max(1, at(t.median) - BAR.inset))}" height="${size}"/>` +
     `<line class="quartiles" x1="${px(at(t.q1))}" x2="${px(at(t.q3))}" y1="${y}" y2="${y}"/>`;
@@ -117,8 +117,8 @@ function bar(
     .join("");
   return (
     `<svg class="bar" viewBox="0 0 ${BAR.width} ${BAR.height}" aria-hidden="true">` +
-    `<g class="grid">${grid}</g>${whole(time, middle, 8, "book")}<g class="families">${dots}</g>` +
-    `${here ? whole(here, 18, 5, "own") : ""}</svg>`
+    `<g class="grid">${grid}</g>${time ? whole(time, middle, 8, "book") : ""}<g class="families">${dots}</g>` +
+    `${here ? whole(here, time ? 18 : middle, 5, "own") : ""}</svg>`
   );
 }
 
@@ -128,17 +128,19 @@ function cell(
   name: string,
   family: string,
   pressable: boolean,
-  exact: boolean,
+  { exact, peer }: LadderMethod,
 ): string {
   if (!row) return `<td data-family="${quoted(family)}">–</td>`;
   const value = cellValue(row, measure);
   const label = labelOf(value, measure);
-  // What is never wrong does not overflow: without an error it computes no number.
-  const decidesOnly = value === null && exact;
+  // What is never wrong does not overflow: without an error it computes no number. A peer may by its own
+  // definition compute another one.
+  const decidesOnly = value === null && (exact || peer);
   const level = decidesOnly ? "level-none" : `level-${levelOf(value, measure)}`;
   const attributes = `class="${level}" data-family="${quoted(row.family)}"`;
   if (!pressable) return `<td ${attributes}>${label}</td>`;
-  const words = decidesOnly ? "no number, it only decides" : inWords(value, measure);
+  const nothing = peer ? "no number to compare" : "no number, it only decides";
+  const words = decidesOnly ? nothing : inWords(value, measure);
   const told = quoted(`${words}: ${name}, ${family}`);
   return `<td ${attributes}><button type="button" tabindex="-1" aria-label="${told}" title="${told}">${label}</button></td>`;
 }
@@ -153,6 +155,47 @@ function marks({ recommended, exact }: LadderMethod): string {
   );
 }
 
+/** A method's name, and its cells. */
+function cellsOf(method: LadderMethod, result: LadderResult, pressable: boolean): string {
+  const rows = result.results.filter((row) => row.method === method.id);
+  const cells = result.families.map(({ id, title: family }) =>
+    cell(
+      rows.find((row) => row.family === id),
+      measureOf(result, id),
+      methodName(method),
+      family,
+      pressable,
+      method,
+    ),
+  );
+  return cells.join("");
+}
+
+/** The name of a method, with its type unless that is in the name. */
+function nameOf(method: LadderMethod, bold: boolean): string {
+  const title = unbroken(method.title);
+  const scalar =
+    methodName(method) === method.title ? "" : ` <small>${escapeText(method.scalar)}</small>`;
+  return `${bold ? `<strong>${title}</strong>` : title}${scalar}`;
+}
+
+/** A peer has no time in the book. */
+function peerRow(
+  method: LadderMethod,
+  result: LadderResult,
+  scale: Scale,
+  pressable: boolean,
+): string {
+  const rows = result.results.filter((row) => row.method === method.id);
+  const own = timeOf(rows, method.id, result.families.length);
+  const words = own ? `<span class="own">${duration(own.median)}</span>` : "–";
+  return (
+    `<tr class="peer" data-method="${quoted(method.id)}" data-kind="${kindOf(method)}">` +
+    `<th scope="row">${nameOf(method, false)}</th>${cellsOf(method, result, pressable)}` +
+    `<td class="ns">${words}</td><td class="bars">${bar(scale, undefined, rows, own)}</td></tr>`
+  );
+}
+
 function rowOf(
   rung: Rung,
   result: LadderResult,
@@ -163,27 +206,29 @@ function rowOf(
   const { method, time, frontier } = rung;
   const rows = result.results.filter((row) => row.method === method.id);
   const own = timeOf(here, method.id, result.families.length);
-  const name = methodName(method);
-  const title = unbroken(method.title);
-  const scalar = name === method.title ? "" : ` <small>${escapeText(method.scalar)}</small>`;
-  const cells = result.families.map(({ id, title: family }) =>
-    cell(
-      rows.find((row) => row.family === id),
-      measureOf(result, id),
-      name,
-      family,
-      pressable,
-      method.exact,
-    ),
-  );
   const words = `${duration(time.median)}, quartiles ${duration(time.q1)} to ${duration(time.q3)}`;
   const ownWords = own ? `<br/><span class="own">${duration(own.median)}</span>` : "";
   const classes = [method.recommended ? "recommended" : "", frontier ? "frontier" : ""];
   return (
     `<tr class="${classes.filter(Boolean).join(" ")}" data-method="${quoted(method.id)}" data-kind="${kindOf(method)}">` +
-    `<th scope="row">${marks(method)}${frontier ? `<strong>${title}</strong>` : title}${scalar}</th>` +
-    `${cells.join("")}<td class="ns" title="${words}">${duration(time.median)}${ownWords}</td>` +
+    `<th scope="row">${marks(method)}${nameOf(method, frontier)}</th>` +
+    `${cellsOf(method, result, pressable)}<td class="ns" title="${words}">${duration(time.median)}${ownWords}</td>` +
     `<td class="bars">${bar(scale, time, rows, own)}</td></tr>`
+  );
+}
+
+/** Whose the rows in JavaScript are, and on how many inputs: fewer than the book's. */
+function peersWords({ methods, results }: LadderResult): string {
+  const peers = methods.filter(({ peer }) => peer);
+  if (peers.length === 0) return "";
+  const sizes = results
+    .filter(({ method }) => peers.some(({ id }) => id === method))
+    .map(({ n }) => n);
+  const [least, most] = [Math.min(...sizes), Math.max(...sizes)].map((n) => n.toLocaleString("en"));
+  const inputs = least === most ? least : `${least} to ${most}`;
+  return (
+    `in JavaScript: another library, asked only here, on ${inputs} inputs a family, because the book's ` +
+    "own numbers are those of native programs"
   );
 }
 
@@ -207,6 +252,7 @@ function legend(result: LadderResult, own: boolean): string {
     "line on the bar: the middle half of the repeated measurements",
     "dot below the bar: the time of one family",
     own ? "dashed: this browser, in WebAssembly" : "",
+    peersWords(result),
   ];
   return `<div class="legend">${colours.join("")}<p>${signs.filter(Boolean).join(" · ")}.</p></div>`;
 }
@@ -239,6 +285,8 @@ function one(result: LadderResult, single: boolean, options: PictureOptions): st
     );
   });
   const rows = all.map((rung) => rowOf(rung, result, own, scale, pressable));
+  for (const method of result.methods)
+    if (method.peer) rows.push(peerRow(method, result, scale, pressable));
   const said = proven(result);
   const sentence = said
     ? `<p class="proven"><span aria-hidden="true">★ </span><strong>${escapeText(said.name)}:</strong> ${escapeText(said.words)}</p>`

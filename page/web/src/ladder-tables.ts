@@ -1,7 +1,7 @@
 // The tables of a ladder: the book's numbers, and the reader's own beside them.
 
 import { html } from "./dom.ts";
-import { type LadderResult, type LadderRow, methodName } from "./ladder-data.ts";
+import { type LadderResult, type LadderRow, methodName, withoutPeers } from "./ladder-data.ts";
 import { pretty } from "./numbers.ts";
 
 const ns = (value: number): string => pretty(value, 3);
@@ -59,11 +59,12 @@ export function bookNumbers(result: LadderResult): HTMLElement {
 /** What was measured in the reader's browser. */
 export function ownNumbers(result: LadderResult, rows: readonly LadderRow[]): HTMLElement {
   const body = rows.map((row) => {
-    const book = result.results.find(
+    const book = withoutPeers(result).results.find(
       (other) => other.method === row.method && other.family === row.family,
     );
     return [...names(result, row), count(row), times(row), book ? ns(book.ns_median) : "–"];
   });
   const heads = ["Inputs", "Method", "Wrong", "Here, ns: median (quartiles)", "In the book, ns"];
-  return table("WebAssembly in this browser", heads, body);
+  const peers = result.methods.some(({ peer }) => peer);
+  return table(`WebAssembly${peers ? " and JavaScript" : ""} in this browser`, heads, body);
 }

@@ -1,8 +1,9 @@
 // Times a ladder's methods in the reader's browser, away from the page so that it stays usable.
 
-import { type Ladder, type LadderResult, loadLadder } from "../../wasm/loader.ts";
-import type { LadderRow, WorkerMessage } from "./ladder-data.ts";
+import { type Ladder, type LadderPeer, type LadderResult, loadLadder } from "../../wasm/loader.ts";
+import type { LadderMethod, LadderRow, WorkerMessage } from "./ladder-data.ts";
 import { knownError } from "./ladder-measure.ts";
+import { loadPeer, type PeerCode, timed } from "./ladder-peers.ts";
 
 const MAX_INPUTS = 2000;
 const FEWEST_INPUTS = 16;
@@ -24,20 +25,41 @@ async function measure(url: string): Promise<void> {
   const began = performance.now();
   const seconds = (): number => (performance.now() - began) / 1000;
   const ladder = await loadLadder(url);
-  const { families, methods } = ladder.layout;
+  const { families, methods, peers } = ladder.layout;
+  const codes = await Promise.all(peers.map(loadPeer));
+  scope.postMessage({ kind: "peers", peers: peers.map((peer, p) => named(peer, codes[p]!)) });
   const asked = families.map((family) => indicesOf(methods, family));
-  const of = asked.reduce((sum, indices) => sum + indices.length, 0);
+  const others = families.map((family) => indicesOf(peers, family));
+  const of = [...asked, ...others].reduce((sum, indices) => sum + indices.length, 0);
   let done = 0;
   for (const [f, family] of families.entries()) {
     const share = (SECONDS - seconds()) / (families.length - f);
     ladder.prepare(f, inputsFor(ladder, f, asked[f]!, share));
-    for (const m of asked[f]!) {
+    const send = (result: LadderResult, method: string): void => {
       done += 1;
-      const row = rowFrom(ladder.run(m), family.id, methods[m]!.id);
-      scope.postMessage({ kind: "row", row, done, of });
+      scope.postMessage({ kind: "row", row: rowFrom(result, family.id, method), done, of });
+    };
+    let n = 0;
+    for (const m of asked[f]!) {
+      const result = ladder.run(m);
+      n = result.n;
+      send(result, methods[m]!.id);
     }
+    for (const p of others[f]!) send(runPeer(ladder, p, codes[p]!, n), peers[p]!.id);
   }
   scope.postMessage({ kind: "end", seconds: seconds() });
+}
+
+/** How the page calls a peer. */
+function named({ id, title, scalar, part }: LadderPeer, { version }: PeerCode): LadderMethod {
+  return { id, title: `${title} ${version}`, scalar, exact: false, peer: true, part };
+}
+
+/** Times a peer on the n prepared inputs and compares its answers with the truth. */
+function runPeer(ladder: Ladder, peer: number, code: PeerCode, n: number): LadderResult {
+  const asked = code.prepare(ladder.questions(peer, n));
+  const times = timed(asked.pass, n);
+  return { ...ladder.judge(peer, asked.answers()), ...times };
 }
 
 type OfPart = { readonly part: string };

@@ -10,7 +10,9 @@ import { fileURLToPath } from "node:url";
 import { parseHTML } from "linkedom";
 import { load } from "./load.mjs";
 
-const { cellOf, scatter } = await load("ladder-cell.ts");
+const { cellOf, failureOf, scatter, summary } = await load("ladder-cell.ts");
+const { partsOf, withPeers } = await load("ladder-data.ts");
+const { ladderPicture } = await load("ladder-picture.ts");
 const { knownError } = await load("ladder-measure.ts");
 
 const program = fileURLToPath(new URL("../ladder_picture.mjs", import.meta.url));
@@ -51,7 +53,7 @@ const result = {
   results: [
     row("random", "plain", 0, 20, 1e-7),
     row("random", "slow", 0, 80, 1e-16),
-    row("random", "lucky", 0, 50, 1e-16),
+    row("random", "lucky", 0, 50, 0),
     row("random", "sure", 0, 100, 0),
     row("random", "unfiltered", 0, 900, 0),
     row("edge", "plain", 320, 20),
@@ -138,7 +140,7 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   assert.equal(
     said(),
     "★ sure (double, then exact): the fastest of the 2 methods that by design are never wrong, 5 × the time of the " +
-      "fastest of all; “lucky (double)” is faster and was not wrong on these inputs, but is not so by design.",
+      "fastest of all; “lucky (double)” is faster and was not wrong and had no larger error on these inputs, but is not so by design.",
   );
   // Other numbers, another sentence.
   const wrong = result.results.map((each) =>
@@ -164,12 +166,12 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   // Faster methods that are as good are no secret.
   assert.match(
     other("slow", result.results),
-    /wrong on 1 of 2,000 inputs, 4 × the time of the fastest of all; “lucky \(double\)” is faster and was no more often wrong on these inputs\.$/,
+    /wrong on 1 of 2,000 inputs, 4 × the time of the fastest of all; “lucky \(double\)” is faster and was no more often wrong and had no larger error on these inputs\.$/,
   );
   // The fastest that is never wrong by design is not the choice here: no word of "the fastest of".
   assert.match(
     other("unfiltered", result.results),
-    /unfiltered \(exact\): never wrong by design, 45 × the time of the fastest of all; 2 other methods are faster and were not wrong on these inputs\.$/,
+    /unfiltered \(exact\): never wrong by design, 45 × the time of the fastest of all; 2 other methods are faster and were not wrong and had no larger error on these inputs\.$/,
   );
 });
 
@@ -227,7 +229,11 @@ test("methods that are never wrong by design are marked", () => {
 });
 
 test("where nothing is decided, the smaller error is the more often right", () => {
-  const results = result.results.map((each) => ({ ...each, wrong: 0 }));
+  const results = result.results.map((each) => ({
+    ...each,
+    wrong: 0,
+    error_max: each.method === "lucky" ? 1e-16 : each.error_max,
+  }));
   const document = draw({ ...result, results });
   const off = results.map((each) =>
     each.method === "sure" ? { ...each, error_max: 8.2e-17 } : each,
@@ -242,6 +248,67 @@ test("where nothing is decided, the smaller error is the more often right", () =
     /: no error above 0, the fastest of the 2 methods that by design are never wrong, 5 × the time of the fastest of all\.$/,
   );
   assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
+});
+
+/** The sentence about the choice `sure`, with this change to the rows. @param {any} change */
+const saidOf = (change, families = result.families) => {
+  const results = result.results.map((each) => ({ ...each, ...change(each) }));
+  return draw({ ...result, families, results }).querySelector(".proven").textContent;
+};
+
+test("a method that is never wrong but has a larger error is not as good as the choice", () => {
+  const error = (/** @type {any} */ each) => ({
+    error_max: each.method === "lucky" && each.family === "random" ? 3 : 0,
+  });
+  assert.match(saidOf(error), /5\s× the time of the fastest of all\.$/);
+  // In another family, whose errors are smaller, it counts as well.
+  const hidden = (/** @type {any} */ each) => ({
+    error_max: each.family === "edge" ? 1 : each.method === "lucky" ? 0.1 : 0,
+  });
+  assert.match(saidOf(hidden), /5\s× the time of the fastest of all\.$/);
+  // Without a number of the choice there is none to compare.
+  const decided = (/** @type {any} */ each) => ({
+    error_max: each.method === "sure" ? null : 3,
+  });
+  assert.match(
+    saidOf(decided),
+    /; “lucky \(double\)” is faster and was not wrong on these inputs,/,
+  );
+});
+
+test("a method that leaves more undecided is not as good as the choice", () => {
+  const undecided = (/** @type {any} */ each) => ({ undecided: each.method === "lucky" ? 1 : 0 });
+  assert.match(saidOf(undecided), /5\s× the time of the fastest of all\.$/);
+});
+
+test("where all families are about the error, it judges although an answer has the wrong sign", () => {
+  const families = result.families.map((each) => ({ ...each, by_error: true }));
+  const errors = { plain: 3, lucky: 2e-3, slow: 1e-3, sure: 1e-3, unfiltered: 0 };
+  const change = (/** @type {any} */ each) => ({ error_max: errors[each.method] });
+  // `slow` is wrong once.
+  assert.match(saidOf(change, families), /: no error above 1e−3, .*fastest of all\.$/);
+  const right = (/** @type {any} */ each) => ({ ...change(each), wrong: 0 });
+  assert.match(
+    saidOf(right, families),
+    /: no error above 1e−3, .*; “slow \(double\)” is faster and had no larger error on these inputs,/,
+  );
+  const frontier = names(
+    draw({
+      ...result,
+      families,
+      results: result.results.map((each) => ({ ...each, ...change(each) })),
+    }),
+    "tr.frontier",
+  );
+  assert.deepEqual(frontier, ["plain", "lucky", "slow", "sure", "unfiltered"]);
+});
+
+test("of the depths, a method that is metres off is not called as good as the choice", () => {
+  const deep = measured()
+    .flatMap((data) => partsOf(data))
+    .find(({ question }) => question === "How deep?");
+  const said = draw(deep).querySelector(".proven").textContent;
+  assert.match(said, /no error above .*“faces and pairs of edges \(double\)” is faster/);
 });
 
 test("where nothing has an error and nothing is wrong, the sentence counts wrong answers", () => {
@@ -285,6 +352,87 @@ function checkOneAxis(axis) {
   // One number alone is no scale.
   assert.ok(labels.length >= 2, labels.map(({ words }) => words).join());
 }
+
+/** As the module names it. */
+const peer = {
+  ...method("three", "JavaScript", false),
+  title: "three.js 1.2",
+  peer: true,
+  part: "",
+};
+const peerRows = [row("random", "three", 3, 60), row("edge", "three", 250, 90)];
+
+/** The picture after a run in the browser. @param {any[]} here */
+function drawHere(here) {
+  const shown = withPeers(result, [peer], here);
+  const html = ladderPicture(shown, { here, pressable: true });
+  assert.doesNotMatch(html, /NaN|undefined|Infinity/);
+  return parseHTML(`<!doctype html><html><body>${html}</body></html>`).document;
+}
+
+test("after a run a peer is the last row, without a time of the book's", () => {
+  const document = drawHere([...result.results, ...peerRows]);
+  assert.deepEqual(names(document), ["plain", "lucky", "slow", "sure", "unfiltered", "three"]);
+  const line = document.querySelector("tr.peer");
+  assert.equal(line.querySelector("th").textContent, "three.js 1.2 JavaScript");
+  assert.equal(line.querySelectorAll("rect.own").length, 1);
+  assert.equal(line.querySelectorAll("rect.book").length, 0);
+  // The geometric mean of its two families.
+  assert.equal(line.querySelector("td.ns").textContent, "73 ns");
+  const legend = (/** @type {any} */ of) => of.querySelector(".legend").textContent;
+  assert.match(
+    legend(document),
+    /only here, on 1,000 inputs a family, because the book's own numbers/,
+  );
+  const fewer = [peerRows[0], { ...peerRows[1], n: 16, wrong: 4 }];
+  assert.match(legend(drawHere(fewer)), /on 16 to 1,000 inputs a family/);
+  assert.doesNotMatch(legend(drawHere(result.results)), /JavaScript/);
+});
+
+test("a peer that is wrong makes its column count wrong answers", () => {
+  const heads = (/** @type {any[]} */ here) =>
+    [...drawHere(here).querySelectorAll("th.family small")].map((each) => each.textContent);
+  assert.deepEqual(heads(peerRows), ["% wrong", "% wrong"]);
+  assert.deepEqual(heads([{ ...peerRows[0], wrong: 0 }, peerRows[1]]), ["error", "% wrong"]);
+  const cells = [...drawHere(peerRows).querySelectorAll("tr.peer td[data-family]")];
+  assert.deepEqual(
+    cells.map((cell) => cell.textContent),
+    ["0.3", "25"],
+  );
+});
+
+test("a peer changes neither the book's sentence nor the book's frontier", () => {
+  const fastest = peerRows.map((each) => ({ ...each, wrong: 0, ns_median: 1 }));
+  const document = drawHere(fastest);
+  assert.equal(
+    document.querySelector(".proven").textContent,
+    draw(result).querySelector(".proven").textContent,
+  );
+  assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
+});
+
+test("a run that was stopped before a peer has no row for it", () => {
+  assert.equal(drawHere(result.results).querySelectorAll("tr.peer").length, 0);
+});
+
+test("a peer's cell tells what was measured here, and that its inputs are not kept", () => {
+  const shown = withPeers(result, [peer], peerRows);
+  const cell = cellOf(shown, peerRows, "three", "edge");
+  assert.equal(
+    summary(cell).replaceAll("\u00a0", " "),
+    "In this browser: 250 of 1,000 answers wrong; 90 ns (quartiles 81 ns to 99 ns).",
+  );
+  assert.match(failureOf(cell), /are not kept/);
+  const { document } = parseHTML(
+    `<!doctype html><html><body>${scatter(shown, peerRows, cell)}</body></html>`,
+  );
+  const marks = [...document.querySelectorAll('g[data-method="three"] > *')];
+  assert.deepEqual(
+    marks.map((mark) => mark.getAttribute("class")),
+    ["own chosen"],
+  );
+  assert.equal(document.querySelector("text.name").textContent, "three.js 1.2");
+});
 
 test("the time axis has two labels or more; none leaves it or overlaps another", () => {
   for (const factor of [1, 1e3, 1e-1, 3, 7])

@@ -29,6 +29,7 @@ Aabb<double> swept_box(const SteppedSetup& setup, const SteppedState& state, con
 namespace detail {
 
 /// Stores the pairs of a search, and those of movers that may reach a half-space.
+/// @param found in increasing order
 void record_pairs(const SteppedSetup& setup, const SteppedState& state, Substep& substep,
                   std::span<const Aabb<double>> boxes, std::vector<BoxPair> found);
 
@@ -51,11 +52,9 @@ void find_near_pairs(const SteppedSetup& setup, SteppedState& state, Substep& su
 }  // namespace detail
 
 /// Where all impacts are taken at once: whether a body is thrown at another that was not near
-/// before. Then part.flung says how far each deviates from its path, and the substep is to be
-/// repeated.
-/// @param find the stage that finds pairs
-bool deflected_at_others(const SteppedSetup& setup, SteppedState& state, Substep& substep,
-                         StepStage find);
+/// before. Then substep.deflection says how far each deviates from its path, and the substep is to
+/// be repeated.
+bool deflected_at_others(const SteppedSetup& setup, const SteppedState& state, Substep& substep);
 
 // [pairs-stage]
 /// The stage without a broad phase: the box of each is compared with the box of each other.
