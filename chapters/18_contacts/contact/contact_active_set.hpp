@@ -11,10 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
 #include <contact/contact_coulomb.hpp>
+#include <contact/contact_elimination.hpp>
 #include <contact/contact_lcp.hpp>
 #include <contact/contact_rows.hpp>
 #include <contact/contact_solver.hpp>
@@ -34,71 +32,6 @@ inline constexpr double max_rounding = 0x1p-10;
 
 namespace detail {
 
-/// The largest number of rows that eliminate() takes in the order of the list.
-inline constexpr int max_rows_in_order = 192;
-
-/// Iterative refinement of y in the chosen rows, with a factorisation of them.
-/// @param number the row of the factorisation for each row, or −1
-/// @return whether the solve succeeded
-template <std::floating_point S, class Factors>
-bool refine(const Factors& eliminated, const ImpulseRows<S>& problem,
-            const std::vector<bool>& chosen, const std::vector<int>& number, Numbers<S>& y) {
-  if (eliminated.info() != Eigen::Success) return false;
-  S last = std::numeric_limits<S>::infinity();
-  for (int round = 0; round < 8; ++round) {
-    const Numbers<S> wrong = problem.matrix.transpose() * y + problem.constant;  // symmetric
-    Numbers<S> right(eliminated.rows());
-    for (std::size_t r = 0; r < chosen.size(); ++r)
-      if (chosen[r]) right(number[r]) = -wrong(static_cast<Eigen::Index>(r));
-    const S left = right.cwiseAbs().maxCoeff();
-    if (!(left < last / S(2))) break;
-    last = left;
-    const Numbers<S> change = eliminated.solve(right);
-    for (std::size_t r = 0; r < chosen.size(); ++r)
-      if (chosen[r]) y(static_cast<Eigen::Index>(r)) += change(number[r]);
-  }
-  return y.allFinite();
-}
-
-// [eliminate]
-/// Solves M y + c = 0 in the chosen rows, for y in these rows.
-///
-/// M may be singular there, as for a table on four legs. A small number is added to its diagonal,
-/// and iterative refinement removes the error: of all solutions the result is one near the initial
-/// y.
-/// @return whether the solve succeeded
-template <std::floating_point S>
-bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, Numbers<S>& y) {
-  std::vector<int> number(chosen.size(), -1);
-  int rows = 0;
-  for (std::size_t r = 0; r < chosen.size(); ++r)
-    if (chosen[r]) number[r] = rows++;
-  if (rows == 0) return true;
-  const S little = S(0x1p16) * std::numeric_limits<S>::epsilon();
-  using Part = Eigen::SparseMatrix<S, Eigen::ColMajor, Eigen::Index>;
-  Part part(rows, rows);  // on and above the diagonal
-  part.reserve(problem.matrix.nonZeros() / 2 + rows);
-  for (int k = 0; k < problem.matrix.outerSize(); ++k) {
-    const int column = number[static_cast<std::size_t>(k)];
-    if (column < 0) continue;
-    part.startVec(column);
-    for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
-      const int row = number[static_cast<std::size_t>(it.row())];
-      if (row >= 0 && row <= column)
-        part.insertBack(row, column) = row == column ? it.value() + little : it.value();
-    }
-  }
-  part.finalize();
-  // Few rows are eliminated in the order of the list: another would cost more than it saves. With
-  // this index and this triangle Eigen then reads the part without a copy.
-  if (rows <= max_rows_in_order)
-    return refine<S>(
-        Eigen::SimplicialLDLT<Part, Eigen::Upper, Eigen::NaturalOrdering<Eigen::Index>>(part),
-        problem, chosen, number, y);
-  return refine<S>(Eigen::SimplicialLDLT<Part, Eigen::Upper>(part), problem, chosen, number, y);
-}
-// [/eliminate]
-
 // [go-towards]
 /// Line search from y towards a target: the first of the fractions 1, 1/2, 1/4, … that decreases
 /// ½ y·M y + c·y, with negative normal impulses set to 0. Returns whether there is one.
@@ -116,7 +49,7 @@ bool line_search(const ImpulseRows<S>& problem, const Numbers<S>& opening, const
     const Numbers<S> change = next - y;
     const S slope = opening.dot(change);
     if ((pulls || part < S(1)) &&
-        !(slope + change.dot(problem.matrix * change) / S(2) < slope * S(1e-4)))
+        !(slope + squared_change<S>(problem, change) / S(2) < slope * S(1e-4)))
       continue;
     y = next;
     return true;
@@ -162,7 +95,7 @@ enum class ActiveSetGuess { bold, settle, add };
 /// function never increases.
 /// @param free the tangents that may change; all normals may
 template <std::floating_point S>
-bool projected_newton(const ImpulseRows<S>& problem, const std::vector<bool>& free, Numbers<S>& y) {
+bool projected_newton(ImpulseRows<S>& problem, const std::vector<bool>& free, Numbers<S>& y) {
   const auto count = static_cast<Eigen::Index>(problem.rows.size());
   const S rounding = S(0x1p8) * std::numeric_limits<S>::epsilon();
   ActiveSetGuess how = ActiveSetGuess::bold;
@@ -219,7 +152,7 @@ template <std::floating_point S>
 std::optional<std::vector<ContactImpulse<S>>> active_set_of(
     const std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& prepared,
     const std::vector<ContactImpulse<S>>& start, FrictionLaw law) {
-  const auto problem = impulse_rows<S>(bodies, prepared);
+  auto problem = impulse_rows<S>(bodies, prepared);
   if (!problem) return std::nullopt;
   const auto count = static_cast<Eigen::Index>(problem->rows.size());
   const bool has_friction = problem->rows.size() > prepared.size();
@@ -232,12 +165,14 @@ std::optional<std::vector<ContactImpulse<S>>> active_set_of(
     holds[static_cast<std::size_t>(r)] = !row.normal && impulse.normal > S(0);
   }
   if (law == FrictionLaw::cones) {
+    assemble(*problem);
     solve_friction_cones<S>(*problem, false, y);
   } else {
     const Numbers<S> swept = y;
     if (!projected_newton<S>(*problem, holds, y)) return std::nullopt;
     if (has_friction && !obeys_coulomb<S>(*problem, y)) {
       y = swept;
+      assemble(*problem);
       if (!solve_friction<S>(*problem, y)) return std::nullopt;
     }
   }

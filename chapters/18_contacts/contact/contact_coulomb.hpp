@@ -70,19 +70,44 @@ struct VelocitiesAndSizes {
   Numbers<S> velocities, sizes;
 };
 
+/// The terms are those of M y, if M is assembled; else those of the velocities of the bodies and of
+/// their velocities along the rows, whose sums are larger where terms of an entry of M cancel.
 template <std::floating_point S>
 VelocitiesAndSizes<S> velocities_and_sizes(const ImpulseRows<S>& problem, const Numbers<S>& y) {
-  VelocitiesAndSizes<S> sums{Numbers<S>(y.size()), Numbers<S>(y.size())};
-  for (Eigen::Index k = 0; k < problem.matrix.outerSize(); ++k) {  // a column is a row: symmetric
-    S velocity(0);
-    S size(0);
-    for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
-      const S term = it.value() * y(it.row());
-      velocity += term;
-      size += std::abs(term);
+  VelocitiesAndSizes<S> sums{problem.constant, problem.constant.cwiseAbs()};
+  if (problem.matrix.rows() == y.size()) {
+    for (Eigen::Index k = 0; k < y.size(); ++k) {  // a column is a row: symmetric
+      S velocity(0);
+      S size(0);
+      for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
+        const S term = it.value() * y(it.row());
+        velocity += term;
+        size += std::abs(term);
+      }
+      sums.velocities(k) = velocity + problem.constant(k);
+      sums.sizes(k) += size;
     }
-    sums.velocities(k) = velocity + problem.constant(k);
-    sums.sizes(k) = size + std::abs(problem.constant(k));
+    return sums;
+  }
+  for (const RowsOnBody<S>& body : problem.bodies) {
+    BodyChange<S> change;
+    BodyChange<S> size;
+    for (const RowOnBody<S>& row : body.rows) {
+      const Vector3<S> along = row.along * y(row.row);
+      const Vector3<S> turn = row.turn * y(row.row);
+      change.velocity += along;
+      change.angular_velocity += turn;
+      size.velocity += along.cwiseAbs();
+      size.angular_velocity += turn.cwiseAbs();
+    }
+    change.velocity *= body.inverse_mass;
+    size.velocity *= body.inverse_mass;
+    for (const RowOnBody<S>& row : body.rows) {
+      sums.velocities(row.row) +=
+          row.along.dot(change.velocity) + row.arm.dot(change.angular_velocity);
+      sums.sizes(row.row) +=
+          row.along.cwiseAbs().dot(size.velocity) + row.arm.cwiseAbs().dot(size.angular_velocity);
+    }
   }
   return sums;
 }

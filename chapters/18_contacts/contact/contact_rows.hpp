@@ -42,19 +42,6 @@ struct ImpulseRow {
   S unit = S(1);  ///< scale of the unknown, N·s
 };
 
-/// Scaled velocities along the rows, M y + c, for scaled impulses y. The scales make the diagonal
-/// of M equal to 1 for normals. The two tangents of a contact have the same scale, so that its
-/// friction cone is round; the stiffer tangent has the diagonal 1. The least velocity is subtracted
-/// from normal velocities.
-template <std::floating_point S>
-struct ImpulseRows {
-  std::vector<ImpulseRow<S>> rows;
-  std::vector<int> first;  ///< row of each contact's normal; its tangents follow if it has friction
-  std::vector<S> cone;     ///< for each contact, the largest scaled friction for a normal of 1
-  Eigen::SparseMatrix<S> matrix;
-  Numbers<S> constant;
-};
-
 /// What a unit impulse along a row changes on one of its bodies, and how the velocity along the row
 /// follows from the body's: the entry of two rows of a body is `arm` of one times `turn` of the
 /// other, plus the dot product of their directions by the inverse mass.
@@ -66,24 +53,56 @@ struct RowOnBody {
   Vector3<S> turn = Vector3<S>::Zero();   ///< change of the angular velocity
 };
 
-/// The rows of all contacts with their scales, by bodies.
-/// @param prepared of the same bodies
-/// @return for each movable body its rows, in their order; nothing if two immovable bodies touch
+/// A movable body and its rows, in their order.
 template <std::floating_point S>
-std::optional<std::vector<std::vector<RowOnBody<S>>>> rows_on_bodies(
-    const std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& prepared,
-    ImpulseRows<S>& made) {
-  std::vector<std::vector<RowOnBody<S>>> of(bodies.size());
+struct RowsOnBody {
+  S mass = S(0);
+  S inverse_mass = S(0);
+  Matrix3<S> inertia = Matrix3<S>::Zero();
+  std::vector<RowOnBody<S>> rows;
+};
+
+/// Scaled velocities along the rows, M y + c, for scaled impulses y. The scales make the diagonal
+/// of M equal to 1 for normals. The two tangents of a contact have the same scale, so that its
+/// friction cone is round; the stiffer tangent has the diagonal 1. The least velocity is subtracted
+/// from normal velocities.
+///
+/// M is J W Jᵀ, with the velocities J along the rows and the inverse masses W of the bodies. Its
+/// entries are computed where they are needed: see assemble().
+template <std::floating_point S>
+struct ImpulseRows {
+  std::vector<ImpulseRow<S>> rows;
+  std::vector<int> first;  ///< row of each contact's normal; its tangents follow if it has friction
+  std::vector<S> cone;     ///< for each contact, the largest scaled friction for a normal of 1
+  std::vector<RowsOnBody<S>> bodies;   ///< the movable ones with a contact
+  std::vector<std::array<int, 2>> on;  ///< for each row, its bodies: A, B; −1 for none
+  Eigen::SparseMatrix<S> matrix;       ///< M, or without entries: see assemble()
+  Numbers<S> constant;
+};
+
+/// The rows of all contacts with their scales, and the bodies that they move.
+/// @param prepared of the same bodies
+/// @return whether there is no contact of two immovable bodies
+template <std::floating_point S>
+bool add_rows(const std::vector<RigidBody<S>>& bodies,
+              const std::vector<PreparedContact<S>>& prepared, ImpulseRows<S>& made) {
   std::vector<std::size_t> contacts(bodies.size(), 0);
   for (const PreparedContact<S>& p : prepared)
     for (const int body : {p.contact.a, p.contact.b}) ++contacts[index(body)];
-  for (std::size_t body = 0; body < bodies.size(); ++body)
-    if (bodies[body].inverse_mass > S(0)) of[body].reserve(3 * contacts[body]);
+  std::vector<int> number(bodies.size(), -1);
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    const RigidBody<S>& one = bodies[body];
+    if (!(one.inverse_mass > S(0)) || contacts[body] == 0) continue;
+    number[body] = static_cast<int>(made.bodies.size());
+    made.bodies.push_back({one.mass, one.inverse_mass, one.inertia, {}});
+    made.bodies.back().rows.reserve(3 * contacts[body]);
+  }
   made.rows.reserve(3 * prepared.size());
+  made.on.reserve(3 * prepared.size());
   for (std::size_t i = 0; i < prepared.size(); ++i) {
     const PreparedContact<S>& p = prepared[i];
     const BodyContact<S>& contact = p.contact;
-    if (!(p.inverse_normal_mass > S(0))) return std::nullopt;  // two immovable bodies
+    if (!(p.inverse_normal_mass > S(0))) return false;  // two immovable bodies
     const S unit = S(1) / std::sqrt(p.inverse_normal_mass);
     const S across = S(1) / std::sqrt(p.inverse_tangent_mass);
     made.first.push_back(static_cast<int>(made.rows.size()));
@@ -92,17 +111,18 @@ std::optional<std::vector<std::vector<RowOnBody<S>>>> rows_on_bodies(
       const S scale = k == 0 ? unit : across;
       for (const bool on_a : {true, false}) {
         const std::size_t body = index(on_a ? contact.a : contact.b);
-        if (!(bodies[body].inverse_mass > S(0))) continue;
+        if (number[body] < 0) continue;
         const Vector3<S> along = p.direction[k] * (on_a ? scale : -scale);
         const Vector3<S> lever_arm = contact.point - bodies[body].position;
         const Vector3<S> turn = (on_a ? p.angular_a : p.angular_b)[k] * (on_a ? scale : -scale);
-        of[body].push_back(
+        made.bodies[index(number[body])].rows.push_back(
             {static_cast<int>(made.rows.size()), along, lever_arm.cross(along), turn});
       }
       made.rows.push_back({i, k == 0, p.direction[k], scale});
+      made.on.push_back({number[index(contact.a)], number[index(contact.b)]});
     }
   }
-  return of;
+  return true;
 }
 
 /// What the impulses of the rows on one body do to each other through it: entry (i, k) is the
@@ -151,40 +171,57 @@ int write_column(const CoupledRows<S>& one, const CoupledRows<S>& two, int* row,
   return written;
 }
 
+/// The number of pairs of rows on the same body.
+template <std::floating_point S>
+std::size_t couplings_of(const ImpulseRows<S>& problem) {
+  std::size_t couplings = 0;
+  for (const RowsOnBody<S>& body : problem.bodies) couplings += body.rows.size() * body.rows.size();
+  return couplings;
+}
+
+/// Computes the entries of M, if this has not been done yet. A step at rest does without.
+template <std::floating_point S>
+void assemble(ImpulseRows<S>& problem) {
+  const auto count = static_cast<Eigen::Index>(problem.rows.size());
+  if (problem.matrix.rows() == count) return;
+  problem.matrix.resize(count, count);
+  problem.matrix.resizeNonZeros(
+      static_cast<Eigen::Index>(couplings_of(problem)));  // or fewer: see below
+  std::vector<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> blocks;
+  for (const RowsOnBody<S>& body : problem.bodies)
+    blocks.push_back(couplings_on(body.rows, body.inverse_mass));
+  const std::vector<RowOnBody<S>> none;
+  std::vector<Eigen::Index> next(blocks.size(), 0);  // of each body, the column of its next row
+  const auto coupled = [&](int body) -> CoupledRows<S> {
+    if (body < 0) return {&none, nullptr};
+    const std::size_t at = index(body);
+    return {&problem.bodies[at].rows, blocks[at].col(next[at]++).data()};
+  };
+  int written = 0;
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const auto [a, b] = problem.on[static_cast<std::size_t>(r)];
+    const CoupledRows<S> one = coupled(std::min(a, b));
+    const CoupledRows<S> two = coupled(std::max(a, b));
+    problem.matrix.outerIndexPtr()[r] = written;
+    written += write_column(one, two, problem.matrix.innerIndexPtr() + written,
+                            problem.matrix.valuePtr() + written);
+  }
+  problem.matrix.outerIndexPtr()[count] = written;
+  problem.matrix.resizeNonZeros(written);
+}
+
+/// The rows of all contacts, without the entries of M.
 /// @param prepared of the same bodies
+/// @return nothing if two immovable bodies touch, or for too many couplings
 template <std::floating_point S>
 std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodies,
                                            const std::vector<PreparedContact<S>>& prepared) {
   ImpulseRows<S> made;
-  const auto of = rows_on_bodies(bodies, prepared, made);
-  if (!of) return std::nullopt;
-  std::size_t couplings = 0;
-  for (const auto& list : *of) couplings += list.size() * list.size();
+  if (!add_rows(bodies, prepared, made)) return std::nullopt;
   const bool has_friction = made.rows.size() > prepared.size();
-  if (couplings > (has_friction ? max_friction_couplings : max_couplings)) return std::nullopt;
+  if (couplings_of(made) > (has_friction ? max_friction_couplings : max_couplings))
+    return std::nullopt;
   const auto count = static_cast<Eigen::Index>(made.rows.size());
-  made.matrix.resize(count, count);
-  made.matrix.resizeNonZeros(static_cast<Eigen::Index>(couplings));  // or fewer: see below
-  std::vector<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> blocks;
-  for (std::size_t body = 0; body < bodies.size(); ++body)
-    blocks.push_back(couplings_on((*of)[body], bodies[body].inverse_mass));
-  std::vector<Eigen::Index> next(bodies.size(), 0);  // of each body, the column of its next row
-  const auto coupled = [&](std::size_t body) -> CoupledRows<S> {
-    const std::vector<RowOnBody<S>>& rows = (*of)[body];
-    return {&rows, rows.empty() ? nullptr : blocks[body].col(next[body]++).data()};
-  };
-  int written = 0;
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const BodyContact<S>& contact =
-        prepared[made.rows[static_cast<std::size_t>(r)].contact].contact;
-    const CoupledRows<S> one = coupled(index(std::min(contact.a, contact.b)));
-    const CoupledRows<S> two = coupled(index(std::max(contact.a, contact.b)));
-    made.matrix.outerIndexPtr()[r] = written;
-    written += write_column(one, two, made.matrix.innerIndexPtr() + written,
-                            made.matrix.valuePtr() + written);
-  }
-  made.matrix.outerIndexPtr()[count] = written;
-  made.matrix.resizeNonZeros(written);
   made.constant.resize(count);
   for (Eigen::Index r = 0; r < count; ++r) {
     const ImpulseRow<S>& row = made.rows[static_cast<std::size_t>(r)];
@@ -193,6 +230,48 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
     made.constant(r) = row.unit * (row.normal ? now - contact.min_velocity : now);
   }
   return made;
+}
+
+/// The change of the velocities of a body by scaled impulses y of its rows.
+template <std::floating_point S>
+struct BodyChange {
+  Vector3<S> velocity = Vector3<S>::Zero();
+  Vector3<S> angular_velocity = Vector3<S>::Zero();
+};
+
+template <std::floating_point S>
+BodyChange<S> change_of(const RowsOnBody<S>& body, const Numbers<S>& y) {
+  BodyChange<S> sum;
+  for (const RowOnBody<S>& row : body.rows) {
+    sum.velocity += row.along * y(row.row);
+    sum.angular_velocity += row.turn * y(row.row);
+  }
+  sum.velocity *= body.inverse_mass;
+  return sum;
+}
+
+/// The scaled velocities M y + c, through the velocities of the bodies.
+template <std::floating_point S>
+Numbers<S> velocities(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+  Numbers<S> sum = problem.constant;
+  for (const RowsOnBody<S>& body : problem.bodies) {
+    const BodyChange<S> change = change_of(body, y);
+    for (const RowOnBody<S>& row : body.rows)
+      sum(row.row) += row.along.dot(change.velocity) + row.arm.dot(change.angular_velocity);
+  }
+  return sum;
+}
+
+/// y · M y: twice the kinetic energy of the bodies that impulses y move from rest.
+template <std::floating_point S>
+S squared_change(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+  S sum(0);
+  for (const RowsOnBody<S>& body : problem.bodies) {
+    const BodyChange<S> change = change_of(body, y);
+    for (const RowOnBody<S>& row : body.rows)
+      sum += y(row.row) * (row.along.dot(change.velocity) + row.arm.dot(change.angular_velocity));
+  }
+  return sum;
 }
 
 }  // namespace detail
