@@ -183,8 +183,8 @@ UpperPart<S> damping_matrix(const ImpulseRows<S>& problem, const std::vector<boo
 /// Impulses y = −J z, as if each row were a damper and z velocities of the bodies, are the smallest
 /// that have their effect. If they have to change the velocities along the rows by r, then
 /// J W Jᵀ J z = −r, and with F = Jᵀ J + ε W⁻¹ and a small ε this is z = −F⁻¹ W⁻¹ F⁻¹ Jᵀ r: Jᵀ r
-/// has no part in which F is nearly singular. Iterative refinement removes the error of ε: of all
-/// solutions the result is the one nearest to the initial y.
+/// has no component along which F is nearly singular. Iterative refinement removes the error of ε:
+/// of all solutions the result is the one nearest to the initial y.
 /// @return whether velocities up to rounding are left in the rows: if not, they exclude each other,
 /// or the masses differ so much that F has lost too many digits
 template <std::floating_point S>
