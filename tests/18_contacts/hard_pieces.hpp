@@ -16,6 +16,9 @@
 namespace hard_pieces {
 
 using namespace hard_regions;
+using hard_regions::Body;
+using hard_regions::Box;
+using hard_regions::Hull;
 
 /// "a_pieces": six numbers for each box, its centre and half lengths.
 inline std::vector<Body> pieces(const Case& c, const std::string& name) {
