@@ -1,83 +1,17 @@
 // A ladder's picture: what it says of its measurements, as text.
 
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
 import fs from "node:fs";
-import os from "node:os";
 import path from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { parseHTML } from "linkedom";
+import { draw, method, names, result, row } from "./ladder_sample.mjs";
 import { load } from "./load.mjs";
 
-const { cellOf, failureOf, scatter, summary } = await load("ladder-cell.ts");
-const { partsOf, withPeers } = await load("ladder-data.ts");
-const { ladderPicture } = await load("ladder-picture.ts");
+const { cellOf, scatter } = await load("ladder-cell.ts");
+const { partsOf } = await load("ladder-data.ts");
 const { knownError } = await load("ladder-measure.ts");
-
-const program = fileURLToPath(new URL("../ladder_picture.mjs", import.meta.url));
-const row = (family, method, wrong, ns, error = 0) => ({
-  family,
-  method,
-  n: 1000,
-  wrong,
-  undecided: 0,
-  error_median: 0,
-  error_max: error,
-  ns_median: ns,
-  ns_q1: ns * 0.9,
-  ns_q3: ns * 1.1,
-  repeats: 5,
-});
-const method = (id, scalar, exact, recommended = false) => ({
-  id,
-  title: id,
-  scalar,
-  exact,
-  recommended,
-});
-const result = {
-  ladder: "02_triangles",
-  question: "Does the ray hit?",
-  families: [
-    { id: "random", title: "random", n: 1000 },
-    { id: "edge", title: "aimed at <edges>", n: 1000 },
-  ],
-  methods: [
-    method("unfiltered", "exact", true),
-    method("sure", "double, then exact", true, true),
-    method("plain", "float", false),
-    method("slow", "double", false),
-    method("lucky", "double", false),
-  ],
-  results: [
-    row("random", "plain", 0, 20, 1e-7),
-    row("random", "slow", 0, 80, 1e-16),
-    row("random", "lucky", 0, 50, 0),
-    row("random", "sure", 0, 100, 0),
-    row("random", "unfiltered", 0, 900, 0),
-    row("edge", "plain", 320, 20),
-    row("edge", "slow", 1, 80),
-    row("edge", "lucky", 0, 50),
-    row("edge", "sure", 0, 100),
-    row("edge", "unfiltered", 0, 900),
-  ],
-};
-
-/** @param {object} data */
-function draw(data) {
-  const folder = fs.mkdtempSync(path.join(os.tmpdir(), "contact-ladder-"));
-  const file = path.join(folder, "result.json");
-  fs.writeFileSync(file, JSON.stringify(data));
-  const done = spawnSync(process.execPath, [program, file], { encoding: "utf8" });
-  fs.rmSync(folder, { recursive: true });
-  assert.equal(done.status, 0, done.stderr);
-  assert.doesNotMatch(done.stdout, /NaN|undefined|Infinity/);
-  return parseHTML(`<!doctype html><html><body>${done.stdout}</body></html>`).document;
-}
-
-const names = (/** @type {any} */ document, selector = "tbody tr") =>
-  [...document.querySelectorAll(selector)].map((each) => each.getAttribute("data-method"));
 
 test("a method a row, by time; a family a column", () => {
   const document = draw(result);
@@ -352,87 +286,6 @@ function checkOneAxis(axis) {
   // One number alone is no scale.
   assert.ok(labels.length >= 2, labels.map(({ words }) => words).join());
 }
-
-/** As the module names it. */
-const peer = {
-  ...method("three", "JavaScript", false),
-  title: "three.js 1.2",
-  peer: true,
-  part: "",
-};
-const peerRows = [row("random", "three", 3, 60), row("edge", "three", 250, 90)];
-
-/** The picture after a run in the browser. @param {any[]} here */
-function drawHere(here) {
-  const shown = withPeers(result, [peer], here);
-  const html = ladderPicture(shown, { here, pressable: true });
-  assert.doesNotMatch(html, /NaN|undefined|Infinity/);
-  return parseHTML(`<!doctype html><html><body>${html}</body></html>`).document;
-}
-
-test("after a run a peer is the last row, without a time of the book's", () => {
-  const document = drawHere([...result.results, ...peerRows]);
-  assert.deepEqual(names(document), ["plain", "lucky", "slow", "sure", "unfiltered", "three"]);
-  const line = document.querySelector("tr.peer");
-  assert.equal(line.querySelector("th").textContent, "three.js 1.2 JavaScript");
-  assert.equal(line.querySelectorAll("rect.own").length, 1);
-  assert.equal(line.querySelectorAll("rect.book").length, 0);
-  // The geometric mean of its two families.
-  assert.equal(line.querySelector("td.ns").textContent, "73 ns");
-  const legend = (/** @type {any} */ of) => of.querySelector(".legend").textContent;
-  assert.match(
-    legend(document),
-    /only here, on 1,000 inputs a family, because the book's own numbers/,
-  );
-  const fewer = [peerRows[0], { ...peerRows[1], n: 16, wrong: 4 }];
-  assert.match(legend(drawHere(fewer)), /on 16 to 1,000 inputs a family/);
-  assert.doesNotMatch(legend(drawHere(result.results)), /JavaScript/);
-});
-
-test("a peer that is wrong makes its column count wrong answers", () => {
-  const heads = (/** @type {any[]} */ here) =>
-    [...drawHere(here).querySelectorAll("th.family small")].map((each) => each.textContent);
-  assert.deepEqual(heads(peerRows), ["% wrong", "% wrong"]);
-  assert.deepEqual(heads([{ ...peerRows[0], wrong: 0 }, peerRows[1]]), ["error", "% wrong"]);
-  const cells = [...drawHere(peerRows).querySelectorAll("tr.peer td[data-family]")];
-  assert.deepEqual(
-    cells.map((cell) => cell.textContent),
-    ["0.3", "25"],
-  );
-});
-
-test("a peer changes neither the book's sentence nor the book's frontier", () => {
-  const fastest = peerRows.map((each) => ({ ...each, wrong: 0, ns_median: 1 }));
-  const document = drawHere(fastest);
-  assert.equal(
-    document.querySelector(".proven").textContent,
-    draw(result).querySelector(".proven").textContent,
-  );
-  assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
-});
-
-test("a run that was stopped before a peer has no row for it", () => {
-  assert.equal(drawHere(result.results).querySelectorAll("tr.peer").length, 0);
-});
-
-test("a peer's cell tells what was measured here, and that its inputs are not kept", () => {
-  const shown = withPeers(result, [peer], peerRows);
-  const cell = cellOf(shown, peerRows, "three", "edge");
-  assert.equal(
-    summary(cell).replaceAll("\u00a0", " "),
-    "In this browser: 250 of 1,000 answers wrong; 90 ns (quartiles 81 ns to 99 ns).",
-  );
-  assert.match(failureOf(cell), /are not kept/);
-  const { document } = parseHTML(
-    `<!doctype html><html><body>${scatter(shown, peerRows, cell)}</body></html>`,
-  );
-  const marks = [...document.querySelectorAll('g[data-method="three"] > *')];
-  assert.deepEqual(
-    marks.map((mark) => mark.getAttribute("class")),
-    ["own chosen"],
-  );
-  assert.equal(document.querySelector("text.name").textContent, "three.js 1.2");
-});
 
 test("the time axis has two labels or more; none leaves it or overlaps another", () => {
   for (const factor of [1, 1e3, 1e-1, 3, 7])
