@@ -31,7 +31,7 @@ import lengths
 import page_parts
 import steps
 import touched
-from sample import chapters_asked_for, sample
+from sample import chapters_asked_for, sample, turn
 from stages import LATE, Check, Lane, Stage, Tally, closing_table, run_stage
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
 from wrong_answers import write_whole  # where touched finds the registry's writer
@@ -760,6 +760,21 @@ def book() -> Iterator[Check]:
     yield from pytest("tests/serve")
 
 
+# Chapters whose methods that are never wrong by design are asked a million inputs of each family:
+# in ten of their turns, or at once if everything is taken.
+NEVER_WRONG = ("03_polygons", "04_rays", "05_meshes", "06_triangle_pairs", "07_bounding_volumes")
+BLOCKS = 10  # of 10,000 inputs, in a turn
+
+
+def never_wrong(chapter: str) -> Check:
+    """Another part of the million in each turn that takes the chapter."""
+    everything = "CONTACT_ALL" in os.environ
+    blocks = 10 * BLOCKS if everything else BLOCKS
+    first = 0 if everything else turn() // 3 % 10 * BLOCKS
+    asked = ["--never-wrong", str(10_000 * blocks), "--from", str(first)]
+    return once(f"never wrong {chapter}", [DEV / "bin" / f"ladder_{chapter}", *asked])
+
+
 def ladder() -> Iterator[Check]:
     """The ladders of the turn at a small size: that they run, not what they measure."""
     taken = page_parts.chapters_of("ladder", "chapters whose ladder runs natively")
@@ -776,6 +791,8 @@ def ladder() -> Iterator[Check]:
         ladder = DEV / "bin" / f"ladder_{chapter}"
         sized = ["--size", "200", "--repeats", "2", "--json", str(out)]
         yield once(f"ladder {chapter}", [ladder, *sized])
+        if chapter in NEVER_WRONG:
+            yield never_wrong(chapter)
 
 
 def browser() -> Iterator[Check]:

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -29,6 +30,8 @@ struct Options {
   std::size_t size = 100000;
   std::size_t repeats = 9;
   std::string json_file;
+  std::size_t never_wrong = 0;  // inputs a family; 0: the usual rounds
+  std::size_t from = 0;
   bool help = false;
 };
 
@@ -41,7 +44,12 @@ std::optional<Options> read(int argc, char** argv) {
       options.help = true;
       return options;
     }
-    if ((name != "--size" && name != "--repeats" && name != "--json") || i + 1 == argc) {
+    const std::map<std::string_view, std::size_t*> numbers{{"--size", &options.size},
+                                                           {"--repeats", &options.repeats},
+                                                           {"--never-wrong", &options.never_wrong},
+                                                           {"--from", &options.from}};
+    const auto named = numbers.find(name);
+    if ((named == numbers.end() && name != "--json") || i + 1 == argc) {
       std::fprintf(stderr, "%s: %s\n", argv[i],
                    i + 1 == argc ? "unknown, or its value is missing" : "unknown option");
       return std::nullopt;
@@ -51,13 +59,14 @@ std::optional<Options> read(int argc, char** argv) {
       options.json_file = value;
       continue;
     }
-    std::size_t number = 0;
+    const std::size_t least = name == "--from" ? 0 : 1;
+    std::size_t& number = *named->second;
     const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (problem != std::errc() || end != value.data() + value.size() || number < 1) {
-      std::fprintf(stderr, "%s takes a whole number from 1, not %s\n", argv[i - 1], argv[i]);
+    if (problem != std::errc() || end != value.data() + value.size() || number < least) {
+      std::fprintf(stderr, "%s takes a whole number from %zu, not %s\n", argv[i - 1], least,
+                   argv[i]);
       return std::nullopt;
     }
-    (name == "--size" ? options.size : options.repeats) = number;
   }
   return options;
 }
@@ -154,19 +163,62 @@ bool any_wrong(const std::vector<ladder::Judgement>& judged) {
                      [](const ladder::Judgement& each) { return each.wrong > 0; });
 }
 
+/// Asks the methods that are declared exact, block after block of other inputs.
+/// @return 1 if one of them is wrong, and 0 otherwise
+int never_wrong(ladder::Experiment& experiment, const Options& options) {
+  constexpr std::size_t block_size = 10000;
+  const auto& methods = experiment.methods();
+  int exit_code = 0;
+  std::printf("%s\n\n%-14s %-28s %9s %9s %9s\n", experiment.question().c_str(), "family", "method",
+              "wrong", "undecided", "of");
+  for (std::size_t family = 0; family < experiment.families().size(); ++family) {
+    const ladder::Family& about = experiment.families()[family];
+    std::map<std::size_t, ladder::Judgement> sums;
+    for (std::size_t method = 0; method < methods.size(); ++method)
+      if (methods[method].exact && methods[method].part == about.part) sums[method];
+    std::size_t left = sums.empty() ? 0 : options.never_wrong;
+    for (std::uint64_t block = options.from; left > 0; ++block) {
+      experiment.prepare(family, std::min(left, block_size), block);
+      std::size_t made = 0;
+      for (auto& [method, sum] : sums) {
+        experiment.pass(method);
+        const ladder::Judgement judged = experiment.judge();
+        sum.n += judged.n;
+        sum.wrong += judged.wrong;
+        sum.undecided += judged.undecided;
+        made = judged.n;
+      }
+      left -= std::min(left, std::max<std::size_t>(made, 1));
+    }
+    for (const auto& [method, sum] : sums) {
+      std::printf("%-14s %-28s %9zu %9zu %9zu\n", about.id.c_str(), methods[method].id.c_str(),
+                  sum.wrong, sum.undecided, sum.n);
+      if (sum.wrong > 0) exit_code = 1;
+    }
+    std::fflush(stdout);
+  }
+  return exit_code;
+}
+
 }  // namespace
 
 int ladder::run_program(Experiment& experiment, const char* chapter, int argc, char** argv) {
   const std::optional<Options> options = read(argc, argv);
   if (!options || options->help) {
-    std::fprintf(options ? stdout : stderr,
-                 "usage: %s [--size N] [--repeats R] [--json FILE]\n%s\n"
-                 "  --size N     inputs a family, or what it has at most (100000)\n"
-                 "  --repeats R  timed passes; the medians and quartiles are over these (9)\n"
-                 "  --json FILE  write the results there as well\n",
-                 argv[0], experiment.question().c_str());
+    std::fprintf(
+        options ? stdout : stderr,
+        "usage: %s [--size N] [--repeats R] [--json FILE]\n"
+        "       %s --never-wrong N [--from K]\n%s\n"
+        "  --size N     inputs a family, or what it has at most (100000)\n"
+        "  --repeats R  timed passes; the medians and quartiles are over these (9)\n"
+        "  --json FILE  write the results there as well\n"
+        "  --never-wrong N  ask only the methods that by design are never wrong, N inputs a\n"
+        "                   family, and end with 1 if one is wrong\n"
+        "  --from K     begin with the inputs of block K, of 10,000 each (0)\n",
+        argv[0], argv[0], experiment.question().c_str());
     return options ? 0 : 2;
   }
+  if (options->never_wrong > 0) return never_wrong(experiment, *options);
 
   json results = json::array();
   json families = json::array();
@@ -176,7 +228,7 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
   int exit_code = 0;
   for (std::size_t family = 0; family < experiment.families().size(); ++family) {
     const Family& about = experiment.families()[family];
-    experiment.prepare(family, options->size);
+    experiment.prepare(family, options->size, 0);
     families.push_back({{"id", about.id}, {"title", about.title}, {"n", options->size}});
     if (about.by_error) families.back()["by_error"] = true;
     if (!about.part.empty()) families.back()["part"] = about.part;

@@ -140,9 +140,9 @@ class Ladder : public Experiment {
   const std::vector<Method>& methods() const override { return methods_; }
   const std::vector<Peer>& peers() const override { return peers_; }
 
-  void prepare(std::size_t family, std::size_t asked) override {
+  void prepare(std::size_t family, std::size_t asked, std::uint64_t block) override {
     const std::size_t n = std::min(asked, most_);
-    generators::Random random(family + 1);
+    generators::Random random(family + 1 + (block << 32));
     inputs_.clear();
     truths_.clear();
     inputs_.reserve(n);
@@ -292,9 +292,9 @@ class Parts : public Experiment {
   const std::vector<Family>& families() const override { return families_; }
   const std::vector<Method>& methods() const override { return methods_; }
   const std::vector<Peer>& peers() const override { return peers_; }
-  void prepare(std::size_t family, std::size_t n) override {
+  void prepare(std::size_t family, std::size_t n, std::uint64_t block) override {
     current_ = parts_[of_family_[family].part].get();
-    current_->prepare(of_family_[family].index, n);
+    current_->prepare(of_family_[family].index, n, block);
   }
   void pass(std::size_t method) override { current_->pass(of_method_[method].index); }
   std::vector<double> questions(std::size_t peer) const override {

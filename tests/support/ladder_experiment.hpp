@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -131,8 +132,9 @@ class Experiment {
   virtual const std::vector<Family>& families() const = 0;
   virtual const std::vector<Method>& methods() const = 0;
   virtual const std::vector<Peer>& peers() const = 0;
-  /// Makes n inputs and their true answers, or as many as the ladder makes at most.
-  virtual void prepare(std::size_t family, std::size_t n) = 0;
+  /// Makes n inputs and their true answers, or as many as the ladder makes at most: those of
+  /// another block are other ones of the same family.
+  virtual void prepare(std::size_t family, std::size_t n, std::uint64_t block) = 0;
   /// Answers every input once; nothing but the method is done here, so the caller times it.
   virtual void pass(std::size_t method) = 0;
   /// The prepared inputs as a peer gets them: its `asks` numbers for each.

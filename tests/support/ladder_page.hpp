@@ -127,7 +127,7 @@ class Exchange {
     return text.c_str();                                                                          \
   }                                                                                               \
   LADDER_EXPORT("prepare") void ladder_prepare(int family, int n) {                               \
-    the_ladder().prepare(static_cast<std::size_t>(family), static_cast<std::size_t>(n));          \
+    the_ladder().prepare(static_cast<std::size_t>(family), static_cast<std::size_t>(n), 0);       \
   }                                                                                               \
   LADDER_EXPORT("pass") void ladder_pass(int method) {                                            \
     the_ladder().pass(static_cast<std::size_t>(method));                                          \

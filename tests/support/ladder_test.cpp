@@ -8,7 +8,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace {
 
@@ -71,7 +73,7 @@ TEST_CASE(
     "a failure is an input on which the method is wrong, one for the figure if there is one") {
   auto ladder = experiment(false);
   ladder.show(shown);
-  ladder.prepare(with, 200);
+  ladder.prepare(with, 200, 0);
   ladder.pass(wrong_method);
   REQUIRE(ladder.judge().wrong > 0);
   const auto failure = ladder.failure(wrong_method, false);
@@ -89,11 +91,11 @@ TEST_CASE(
 TEST_CASE("a method that is right has no failure") {
   auto ladder = experiment(false);
   ladder.show(shown);
-  ladder.prepare(with, 200);
+  ladder.prepare(with, 200, 0);
   ladder.pass(right_method);
   CHECK_FALSE(ladder.failure(right_method, false));
   CHECK_FALSE(ladder.failure(right_method, true));
-  ladder.prepare(without, 200);
+  ladder.prepare(without, 200, 0);
   ladder.pass(wrong_method);
   CHECK_FALSE(ladder.failure(wrong_method, false));
 }
@@ -101,7 +103,7 @@ TEST_CASE("a method that is right has no failure") {
 TEST_CASE("by error, the failure has the largest error of the family") {
   auto ladder = experiment(false);
   ladder.show(shown);
-  ladder.prepare(with, 200);
+  ladder.prepare(with, 200, 0);
   ladder.pass(wrong_method);
   const auto failure = ladder.failure(wrong_method, true);
   REQUIRE(failure);
@@ -119,7 +121,7 @@ TEST_CASE("a failure is simplified as far as the method stays wrong") {
     }
     return fewer;
   });
-  ladder.prepare(with, 200);
+  ladder.prepare(with, 200, 0);
   ladder.pass(wrong_method);
   const auto failure = ladder.failure(wrong_method, false);
   REQUIRE(failure);
@@ -151,7 +153,7 @@ TEST_CASE("a peer is asked in numbers, and its answers are compared with the tru
       R"("peers":[{"id":"peer","title":"peer","scalar":"JavaScript","asks":10,"tells":2,)"
       R"("part":"How large is the sum?"}]})"));
   constexpr std::size_t n = 100;
-  parts.prepare(1 + with, n);
+  parts.prepare(1 + with, n, 0);
   ladder::Exchange exchange;
   const double* asked = exchange.questions(parts, 0);
   const std::vector<double> questions(asked, asked + 10 * n);
@@ -177,10 +179,10 @@ TEST_CASE("a peer is asked in numbers, and its answers are compared with the tru
 TEST_CASE("a ladder of slow methods makes at most as many inputs as it says") {
   auto sums = experiment(false);
   sums.at_most(20);
-  sums.prepare(1, 100);
+  sums.prepare(1, 100, 0);
   sums.pass(0);
   REQUIRE(sums.judge().n == 20);
-  sums.prepare(1, 7);
+  sums.prepare(1, 7, 0);
   sums.pass(0);
   REQUIRE(sums.judge().n == 7);
 }
@@ -210,10 +212,10 @@ TEST_CASE("of several ladders each method is asked about the families of its own
   REQUIRE(both.methods().size() == 3);
   CHECK(both.families()[2].part == "Is it even?");
   CHECK(both.methods()[1].part == "How large is the sum?");
-  both.prepare(2, 200);
+  both.prepare(2, 200, 0);
   both.pass(2);
   CHECK(both.judge().wrong > 50);
-  both.prepare(with, 200);
+  both.prepare(with, 200, 0);
   both.pass(right_method);
   CHECK(both.judge().wrong == 0);
 
@@ -245,5 +247,36 @@ TEST_CASE("the program keeps failures, and fails if an exact method is wrong") {
     std::filesystem::remove(file);
     CHECK(kept["methods"][0]["recommended"] == true);
     for (const auto& row : kept["results"]) CHECK(row.contains("failure") == (row["wrong"] > 0));
+  }
+}
+
+TEST_CASE("what is declared never wrong is asked in blocks of other inputs") {
+  constexpr int rare = 15000;  // the first input on which the method is wrong: in the second block
+  for (const int first_wrong : {rare, std::numeric_limits<int>::max()}) {
+    CAPTURE(first_wrong);
+    int made = 0;
+    std::set<std::uint64_t> drawn;
+    ladder::Ladder<int, bool> parity(
+        "Is it even?", [](const int& x) { return x % 2 == 0; },
+        [](const bool& got, const bool& right) {
+          ladder::Verdict verdict;
+          verdict.wrong = got != right;
+          return verdict;
+        });
+    parity.family("any", "any", [&](generators::Random& random) {
+      drawn.insert(random.bits());
+      return made++;
+    });
+    parity.method({.id = "sure", .title = "sure", .scalar = "int", .exact = true},
+                  [&](const int& x) { return x >= first_wrong ? x % 2 == 1 : x % 2 == 0; });
+    parity.method({.id = "always", .title = "always", .scalar = "int", .exact = false},
+                  [](const int&) { return true; });
+    std::array<std::string, 5> words{"ladder", "--never-wrong", "25000", "--from", "7"};
+    std::array<char*, 5> arguments{};
+    for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
+    const int code = ladder::run_program(parity, "00_trial", 5, arguments.data());
+    CHECK(code == (first_wrong == rare ? 1 : 0));
+    CHECK(made == 25000);
+    CHECK(drawn.size() == 25000);
   }
 }
