@@ -184,6 +184,17 @@ ladder::Ladder<Input, Answer> experiment() {
         return Answer{
             contact::triangles_meet_unfiltered(input.first_in_double, input.second_in_double)};
       });
+  const auto peer = [&ladder](const char* id, const char* title) {
+    ladder.peer(
+        {.id = id, .title = title, .scalar = "JavaScript", .asks = 18, .tells = 1},
+        [](const Input& input, std::vector<double>& to) {
+          for (const Triangle<double>* t : {&input.first_in_double, &input.second_in_double})
+            for (const Point* p : {&t->a, &t->b, &t->c}) to.insert(to.end(), p->begin(), p->end());
+        },
+        [](const double* told, const Answer&) { return Answer{told[0] != 0}; });
+  };
+  peer("bvh-triangles", "three-mesh-bvh");
+  peer("fast-triangles", "fast-triangle-triangle-intersection");
   ladder.recommend("meet");
   ladder.show(shown);
   return ladder;

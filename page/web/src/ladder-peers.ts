@@ -21,6 +21,8 @@ export interface PeerCode {
 const SCRIPTS: Readonly<Record<string, () => Promise<PeerCode>>> = {
   "three-ray-sphere": async () => (await import("./peers/three-rays.ts")).sphere,
   "three-ray-box": async () => (await import("./peers/three-rays.ts")).box,
+  "bvh-triangles": async () => (await import("./peers/triangle-pairs.ts")).bvh,
+  "fast-triangles": async () => (await import("./peers/triangle-pairs.ts")).fast,
 };
 
 export async function loadPeer({ id }: LadderPeer): Promise<PeerCode> {

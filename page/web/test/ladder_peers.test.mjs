@@ -7,6 +7,7 @@ import { load } from "./load.mjs";
 
 const { loadPeer, timed } = await load("ladder-peers.ts");
 const { box, sphere } = await load("peers/three-rays.ts");
+const { bvh, fast } = await load("peers/triangle-pairs.ts");
 
 /** @param {any} peer @param {number[][]} questions */
 function ask(peer, questions) {
@@ -103,10 +104,76 @@ test("three.js at random boxes finds what whole numbers say", () => {
   assert.deepEqual(ask(box, questions), right);
 });
 
+test("a flat triangle is asked without a message, and messages come back", (t) => {
+  const said = t.mock.method(console, "warn", () => {});
+  const failed = t.mock.method(console, "error", () => {});
+  const point = [1, 2, 3];
+  const pair = [...point, ...point, ...point, 0, 0, 0, 1, 0, 0, 0, 1, 0];
+  for (const peer of [bvh, fast]) ask(peer, [pair]);
+  assert.equal(said.mock.callCount() + failed.mock.callCount(), 0);
+  console.warn("again");
+  assert.equal(said.mock.callCount(), 1);
+});
+
+/** The sign of the volume of a tetrahedron with whole coordinates. @param {number[][]} vertices */
+function side([a, b, c, d]) {
+  const [u, v, w] = [b, c, d].map((p) => p.map((x, i) => x - a[i]));
+  return Math.sign(
+    u[0] * (v[1] * w[2] - v[2] * w[1]) +
+      u[1] * (v[2] * w[0] - v[0] * w[2]) +
+      u[2] * (v[0] * w[1] - v[1] * w[0]),
+  );
+}
+
+/** Whether an edge of one triangle crosses the other; undefined if four of the points are in a plane. */
+function meet(/** @type {number[][]} */ first, /** @type {number[][]} */ second) {
+  let crosses = false;
+  for (const [t, [a, b, c]] of [
+    [first, second],
+    [second, first],
+  ]) {
+    for (const [p, q] of [
+      [t[0], t[1]],
+      [t[1], t[2]],
+      [t[2], t[0]],
+    ]) {
+      const ends = [side([a, b, c, p]), side([a, b, c, q])];
+      const around = [side([p, q, a, b]), side([p, q, b, c]), side([p, q, c, a])];
+      if (ends.includes(0) || around.includes(0)) return undefined;
+      crosses ||= ends[0] !== ends[1] && around[0] === around[1] && around[1] === around[2];
+    }
+  }
+  return crosses;
+}
+
+for (const [name, peer] of Object.entries({ "three-mesh-bvh": bvh, fast })) {
+  test(`${name} at random triangles finds what whole numbers say`, () => {
+    const number = whole(11);
+    const questions = [];
+    const right = [];
+    while (questions.length < 500) {
+      const points = Array.from({ length: 6 }, () => [0, 1, 2].map(() => number(-9, 9)));
+      const met = meet(points.slice(0, 3), points.slice(3));
+      if (met === undefined) continue;
+      questions.push(points.flat());
+      right.push(met ? 1 : 0);
+    }
+    const hits = right.filter(Boolean).length;
+    assert.ok(hits > 50 && hits < 450, `${hits} meet`);
+    assert.deepEqual(ask(peer, questions), right);
+  });
+}
+
 test("a peer's version is that of the page's package", async () => {
   const file = new URL("../../package.json", import.meta.url);
-  const pinned = JSON.parse(fs.readFileSync(file, "utf8")).dependencies.three;
-  for (const id of ["three-ray-sphere", "three-ray-box"]) {
+  const { dependencies } = JSON.parse(fs.readFileSync(file, "utf8"));
+  const of = {
+    "three-ray-sphere": dependencies.three,
+    "three-ray-box": dependencies.three,
+    "bvh-triangles": dependencies["three-mesh-bvh"],
+    "fast-triangles": dependencies["fast-triangle-triangle-intersection"],
+  };
+  for (const [id, pinned] of Object.entries(of)) {
     const { version } = await loadPeer({ id });
     assert.ok(pinned === version || pinned.startsWith(`${version}.`), `${pinned}: ${version}`);
   }

@@ -24,6 +24,7 @@ export async function load(name) {
     format: "esm",
     platform: "node",
     target: "node18",
+    mainFields: ["module", "main"],
     alias: { three: path.join(page, "node_modules", "three", "src", "Three.Core.js") },
     logLevel: "warning",
   });
