@@ -295,7 +295,7 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanInput& q) {
   }
   // [fall-proof]
   double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
-  // If the product underflows, it is an error nevertheless.
+  // The product may underflow to 0, but the error is not 0.
   if (q.bounds.gravity > 0) fall = std::max(fall, least_error);
   proofs.push_back(
       {"The error of a body that touches nothing is the fall that is left out, ½ g T².",
