@@ -193,3 +193,31 @@ def test_a_second_link_is_found() -> None:
 
 def test_ordinary_words_are_names_of_the_glossary() -> None:
     assert {name for name in ORDINARY if name not in ENTRY_OF} == set()
+
+
+# --- Formulas are formulas ------------------------------------------------------------------------
+
+
+def raw_formulas(lesson: str) -> list[str]:
+    """Text that is meant as a formula and is shown as it is written: a line of it that begins like
+    an item of a list ends it.
+    """
+    parts = (part for block in MARKDOWN.parse(lesson) for part in block.children or ())
+    return [
+        part.content
+        for part in parts
+        if part.type == "text" and re.search(r"\$|\\[A-Za-z]", part.content)
+    ]
+
+
+@pytest.mark.parametrize("chapter", LESSONS, ids=[chapter.slug for chapter in LESSONS])
+def test_no_formula_is_shown_as_it_is_written(chapter: Chapter) -> None:
+    assert raw_formulas(chapter.lesson.read_text(encoding="utf-8")) == []
+
+
+def test_a_formula_that_a_list_ends_is_found() -> None:
+    assert raw_formulas("With $a =\n\\sin b$ it is $0$.\n") == []
+    assert raw_formulas("With $a = (b\n- \\sin c)$ it is.\n") == [
+        "With $a = (b",
+        "\\sin c)$ it is.",
+    ]
