@@ -359,7 +359,11 @@ export default defineFigure<Input, Output>({
       meaning: "of pairs so far, the first predictions included",
       value: output.tests,
     },
-    { name: "without cells", meaning: "tests that the same hits would need", value: output.all_tests },
+    {
+      name: "without cells",
+      meaning: "tests that the same hits would need",
+      value: output.all_tests,
+    },
   ],
   describe(_input, output) {
     const who = name(output.who);
