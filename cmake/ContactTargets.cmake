@@ -19,33 +19,23 @@ function(contact_add_reference_tests chapter)
   foreach(exercise IN LISTS exercises)
     list(REMOVE_ITEM sources "${dir}/${exercise}_test.cpp")
   endforeach()
-  # tools/test.py compares the reports of hard cases with what the lessons show.
-  set(reports "${CMAKE_BINARY_DIR}/hard_cases")
-  file(MAKE_DIRECTORY "${reports}")
-  set(hard_cases "${dir}/hard_cases.cpp")
-  set(together OFF)
-  if(CONTACT_SANITIZE AND sources AND EXISTS "${hard_cases}")
-    set(together ON)
-    list(APPEND sources "${hard_cases}" support/tests_main.cpp)
-  endif()
   if(sources)
     contact_add_catch_test(reference_tests_${chapter} "${library}" ${sources})
-    # In one unit with the tests of the headers: compiling the functions that both call takes most of the time. Their
-    # names are in namespaces of their own.
-    set_property(SOURCE "${dir}/questions_test.cpp" "${hard_cases}" PROPERTY UNITY_GROUP reference)
+    # In one unit with the tests of the headers: compiling the functions that both call takes most of the time. Its
+    # names are in a namespace of their own.
+    set_property(SOURCE "${dir}/questions_test.cpp" PROPERTY UNITY_GROUP reference)
     # A construct question is judged by its figure's C++, which the test includes.
     target_include_directories(reference_tests_${chapter} PRIVATE "${PROJECT_SOURCE_DIR}/chapters/${chapter}"
       "${PROJECT_SOURCE_DIR}/page/figure")
     target_compile_definitions(reference_tests_${chapter} PRIVATE "CONTACT_CHAPTER=\"${chapter}\"")
   endif()
-  if(together)
-    add_custom_target(hard_cases_${chapter} DEPENDS reference_tests_${chapter})
-    add_test(NAME "hard_cases_${chapter}"
-      COMMAND reference_tests_${chapter} --hard-cases --report "${reports}/${chapter}.json")
-  elseif(EXISTS "${hard_cases}")
-    add_executable(hard_cases_${chapter} "${hard_cases}" support/hard_cases_main.cpp)
+  if(EXISTS "${dir}/hard_cases.cpp")
+    add_executable(hard_cases_${chapter} "${dir}/hard_cases.cpp")
     target_link_libraries(hard_cases_${chapter} PRIVATE ${library} contact_support contact_warnings)
     target_precompile_headers(hard_cases_${chapter} REUSE_FROM contact_support)
+    # tools/test.py compares the reports with what the lessons show.
+    set(reports "${CMAKE_BINARY_DIR}/hard_cases")
+    file(MAKE_DIRECTORY "${reports}")
     add_test(NAME "hard_cases_${chapter}" COMMAND hard_cases_${chapter} --report "${reports}/${chapter}.json")
   endif()
 endfunction()

@@ -519,13 +519,11 @@ def first_under_sanitizers() -> list[str]:
 
 
 def sanitized(chapters: Sequence[str]) -> Iterator[Check]:
-    """Two chapters at a time: of most, one unit takes nearly all of the time to compile."""
-    for first in range(0, len(chapters), 2):
-        both = chapters[first : first + 2]
-        targets = [f"{kind}_{slug}" for kind in KINDS_OF_TESTS for slug in both]
-        yield build_of("sanitize", *targets, name=" ".join(both))
-        yield ctest("sanitize", "--tests-regex", tests_of(both), name=" ".join(both))
-        yield from what_pages_tell("sanitize", both)
+    """A chapter after the other."""
+    for slug in chapters:
+        yield build_of("sanitize", *(f"{kind}_{slug}" for kind in KINDS_OF_TESTS), name=slug)
+        yield ctest("sanitize", "--tests-regex", tests_of([slug]), name=slug)
+        yield from what_pages_tell("sanitize", [slug])
 
 
 def tidy() -> Iterator[Check]:

@@ -13,10 +13,12 @@
 #include <contact/products.hpp>
 #include <vector>
 
-namespace hard_cases {
-
 using contact::Vector2;
 using contact::Vector3;
+using hard_cases::Case;
+using hard_cases::hex;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Interval;
 using oracle::Rational;
 
@@ -208,7 +210,7 @@ void add_angle(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("00_vectors");
   add_sum(runner);
   add_dot(runner);
@@ -217,5 +219,3 @@ int program(int argc, char** argv) {
   add_angle(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -10,7 +10,8 @@
 #include "support/generators.hpp"
 #include "support/oracle_planes.hpp"
 
-namespace hard_cases {
+using hard_cases::Case;
+using hard_cases::Json;
 
 namespace {
 
@@ -258,7 +259,7 @@ void add_moving_sphere(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("01_planes");
   add_side(runner);
   add_exists(runner);
@@ -268,5 +269,3 @@ int program(int argc, char** argv) {
   add_moving_sphere(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -12,7 +12,8 @@
 
 #include "support/generators.hpp"
 
-namespace hard_cases {
+using hard_cases::Case;
+using hard_cases::Json;
 
 namespace {
 
@@ -125,7 +126,7 @@ bool right_weights(const Case& c, const std::optional<Vector3<double>>& got) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("02_triangles");
 
   runner.question("ray_triangle", [](const Case& c) -> Json {
@@ -167,5 +168,3 @@ int program(int argc, char** argv) {
   });
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -6,7 +6,8 @@
 #include <contact/convex_polygon.hpp>
 #include <limits>
 
-namespace hard_cases {
+using hard_cases::Case;
+using hard_cases::Json;
 
 namespace {
 
@@ -312,7 +313,7 @@ Json meeting_text(const Segment2<S>& s, const Segment2<S>& t) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("03_polygons");
 
   runner.question("point_in_polygon", where_answer);
@@ -485,5 +486,3 @@ int program(int argc, char** argv) {
   });
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

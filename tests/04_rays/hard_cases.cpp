@@ -8,7 +8,8 @@
 #include <contact/ray_sphere.hpp>
 #include <contact/ray_triangle.hpp>
 
-namespace hard_cases {
+using hard_cases::Case;
+using hard_cases::Json;
 
 namespace {
 
@@ -238,7 +239,7 @@ std::optional<Passage<double>> kdop_by_division(const Ray<double>& ray, const Kd
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("04_rays");
 
   runner.question("sphere", sphere_answer);
@@ -342,5 +343,3 @@ int program(int argc, char** argv) {
   hard_round::add_questions(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

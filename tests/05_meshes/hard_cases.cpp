@@ -4,9 +4,7 @@
 #include <05_meshes/hard_moving.hpp>
 #include <05_meshes/hard_polyhedra.hpp>
 
-namespace hard_cases {
-
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("05_meshes");
   hard_mesh_checks::add_questions(runner);
   hard_mesh_hits::add_questions(runner);
@@ -14,5 +12,3 @@ int program(int argc, char** argv) {
   hard_moving::add_questions(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -5,9 +5,7 @@
 #include <06_triangle_pairs/hard_pairs.hpp>
 #include <06_triangle_pairs/hard_self_pairs.hpp>
 
-namespace hard_cases {
-
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("06_triangle_pairs");
   hard_pairs::add_questions(runner);
   hard_common::add_questions(runner);
@@ -16,5 +14,3 @@ int program(int argc, char** argv) {
   hard_self_pairs::add_questions(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -7,9 +7,7 @@
 #include <07_bounding_volumes/hard_slabs.hpp>
 #include <07_bounding_volumes/hard_spheres.hpp>
 
-namespace hard_cases {
-
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("07_bounding_volumes");
   hard_common::add_questions(runner);
   hard_moving::add_questions(runner);
@@ -20,5 +18,3 @@ int program(int argc, char** argv) {
   hard_spheres::add_questions(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

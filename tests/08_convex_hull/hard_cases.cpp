@@ -9,7 +9,8 @@
 #include <map>
 #include <set>
 
-namespace hard_cases {
+using hard_cases::Case;
+using hard_cases::Json;
 
 namespace {
 
@@ -204,7 +205,7 @@ auto judged(Method method, Judge judge) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("08_convex_hull");
 
   runner.question("hull_2d", flat_answer);
@@ -266,5 +267,3 @@ int program(int argc, char** argv) {
                 judged([](const Points& p) { return contact::convex_hull(p); }, right_hull));
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -18,12 +18,12 @@
 #include "hard_methods.hpp"
 #include "pair_proofs.hpp"
 
-namespace hard_cases {
-
 using hard_bodies::are;
 using hard_bodies::Case;
 using hard_bodies::narrow;
 using hard_bodies::with;
+using hard_cases::Json;
+using hard_cases::unhex;
 using Box = contact::OrientedBox<double>;
 using Capsule = contact::Capsule<double>;
 using V = contact::Vector3<double>;
@@ -171,12 +171,10 @@ void ask_normal(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("09_separating_planes");
   ask_cases(runner);
   ask_distance(runner);
   ask_normal(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

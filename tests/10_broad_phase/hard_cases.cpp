@@ -19,8 +19,6 @@
 #include "hard_periods.hpp"
 #include "hard_steps.hpp"
 
-namespace hard_cases {
-
 using contact::BoxPair;
 using hard_boxes::as_json;
 using hard_boxes::Box;
@@ -28,6 +26,8 @@ using hard_boxes::Boxes;
 using hard_boxes::pairs_by;
 using hard_boxes::read_boxes;
 using hard_boxes::V;
+using hard_cases::Case;
+using hard_cases::Json;
 using oracle::Rational;
 
 namespace {
@@ -243,7 +243,7 @@ void add_cost(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("10_broad_phase");
   add_pairs(runner);
   hard_periods::ask_pairs(runner);
@@ -255,5 +255,3 @@ int program(int argc, char** argv) {
   add_cost(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

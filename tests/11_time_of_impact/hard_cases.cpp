@@ -22,8 +22,9 @@
 #include "hard_moving.hpp"
 #include "hard_steps.hpp"
 
-namespace hard_cases {
-
+using hard_cases::Case;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Quadratic;
 using oracle::Rational;
 using oracle::Surd;
@@ -337,7 +338,7 @@ void add_capsule(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("11_time_of_impact");
   add_balls(runner);
   add_fall(runner);
@@ -351,5 +352,3 @@ int program(int argc, char** argv) {
   hard_moving::add(runner, "edge-edge", true);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

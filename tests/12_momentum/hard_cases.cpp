@@ -14,8 +14,11 @@
 #include <contact/variable_mass.hpp>
 #include <vector>
 
-namespace hard_cases {
-
+using hard_cases::Case;
+using hard_cases::close;
+using hard_cases::hex;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -278,7 +281,7 @@ void add_push_off(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("12_momentum");
   add_total(runner);
   add_total_of_floats(runner);
@@ -289,5 +292,3 @@ int program(int argc, char** argv) {
   add_push_off(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

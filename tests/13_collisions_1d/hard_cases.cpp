@@ -15,10 +15,12 @@
 #include <cstdlib>
 #include <vector>
 
-namespace hard_cases {
-
 using contact::LineBody;
 using contact::LineCollision;
+using hard_cases::Case;
+using hard_cases::hex;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -255,7 +257,7 @@ void add_row(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("13_collisions_1d");
   add_after(runner);
   add_approach(runner);
@@ -264,5 +266,3 @@ int program(int argc, char** argv) {
   add_row(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

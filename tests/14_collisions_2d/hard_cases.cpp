@@ -13,8 +13,10 @@
 #include <contact/momentum_triangle.hpp>
 #include <vector>
 
-namespace hard_cases {
-
+using hard_cases::Case;
+using hard_cases::hex;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -289,7 +291,7 @@ void add_share(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("14_collisions_2d");
   add_approach(runner);
   add_meets(runner);
@@ -298,5 +300,3 @@ int program(int argc, char** argv) {
   add_share(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -14,8 +14,10 @@
 #include <cstdlib>
 #include <string>
 
-namespace hard_cases {
-
+using hard_cases::Case;
+using hard_cases::close;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 using oracle::Surd;
 using Vector = contact::Vector3<double>;
@@ -271,7 +273,7 @@ void add_height(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("15_restitution");
   add_bounces(runner);
   add_reflected(runner);
@@ -281,5 +283,3 @@ int program(int argc, char** argv) {
   add_height(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -21,10 +21,10 @@
 #include "hard_compliant.hpp"
 #include "hard_contact.hpp"
 
-namespace hard_cases {
-
 using contact::PenaltyScheme;
 using contact::StepBehaviour;
+using hard_cases::Case;
+using hard_cases::Json;
 using hard_contact::exact_impact;
 using hard_contact::ExactImpact;
 using hard_contact::flag;
@@ -381,7 +381,7 @@ void add_jump(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("16_penalty");
   add_steps(runner);
   add_regime(runner);
@@ -395,5 +395,3 @@ int program(int argc, char** argv) {
   hard_compliant::add(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

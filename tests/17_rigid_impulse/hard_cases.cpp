@@ -19,11 +19,14 @@
 
 #include "hard_bodies.hpp"
 
-namespace hard_cases {
-
 using hard_bodies::body;
 using hard_bodies::contact_of;
 using hard_bodies::planar;
+using hard_cases::Case;
+using hard_cases::close;
+using hard_cases::hex;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -472,7 +475,7 @@ void add_top(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("17_rigid_impulse");
   add_closing(runner);
   add_collision(runner, "collision");
@@ -495,5 +498,3 @@ int program(int argc, char** argv) {
   add_top(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

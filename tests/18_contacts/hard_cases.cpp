@@ -30,8 +30,8 @@
 #include "hard_problem.hpp"
 #include "hard_regions.hpp"
 
-namespace hard_cases {
-
+using hard_cases::Case;
+using hard_cases::Json;
 using hard_problem::iterate;
 using hard_problem::Problem;
 using hard_problem::problem;
@@ -96,7 +96,7 @@ void add_impulses(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("18_contacts");
   add_impulses(runner);
   hard_friction::add(runner);
@@ -108,5 +108,3 @@ int program(int argc, char** argv) {
   hard_choices::add(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

@@ -19,10 +19,12 @@
 #include <string>
 #include <vector>
 
-namespace hard_cases {
-
 using contact::Integrator;
 using contact::MotionState;
+using hard_cases::Case;
+using hard_cases::close;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 using oracle::Surd;
 using Vector = contact::Vector3<double>;
@@ -340,7 +342,7 @@ void add_collapse(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("19_time_stepping");
   add_closing(runner);
   add_fall(runner);
@@ -350,5 +352,3 @@ int program(int argc, char** argv) {
   add_collapse(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

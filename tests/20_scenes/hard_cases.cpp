@@ -27,12 +27,12 @@
 #include <utility>
 #include <vector>
 
-namespace hard_cases {
-
 using contact::PlanInput;
 using contact::Scene;
 using contact::SceneBody;
 using contact::Vector3;
+using hard_cases::Case;
+using hard_cases::Json;
 using oracle::exact;
 using oracle::Rational;
 
@@ -425,7 +425,7 @@ void add_speeds(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("20_scenes");
   add_passing(runner);
   add_mirror(runner);
@@ -433,5 +433,3 @@ int program(int argc, char** argv) {
   add_speeds(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

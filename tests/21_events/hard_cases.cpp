@@ -16,9 +16,10 @@
 #include <tuple>
 #include <vector>
 
-namespace hard_cases {
-
 using contact::Vector3;
+using hard_cases::Case;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -228,12 +229,10 @@ void add_lines(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("21_events");
   add_pairs(runner);
   add_walls(runner);
   add_lines(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

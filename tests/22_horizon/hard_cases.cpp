@@ -19,8 +19,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace hard_cases {
-
+using hard_cases::Case;
+using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Interval;
 using oracle::Rational;
 
@@ -155,11 +156,9 @@ void add_angle(hard_cases::Runner& runner) {
 
 }  // namespace
 
-int program(int argc, char** argv) {
+int main(int argc, char** argv) {
   hard_cases::Runner runner("22_horizon");
   add_growth(runner);
   add_angle(runner);
   return runner.run(argc, argv);
 }
-
-}  // namespace hard_cases

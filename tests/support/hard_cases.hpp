@@ -2,9 +2,9 @@
 /// Reads a chapter's corpus of hard cases, recomputes every answer, and says which method gets
 /// which case right.
 ///
-/// A chapter's tests/NN_slug/hard_cases.cpp defines a program:
+/// A chapter's tests/NN_slug/hard_cases.cpp is a program:
 ///
-///     int hard_cases::program(int argc, char** argv) {
+///     int main(int argc, char** argv) {
 ///       hard_cases::Runner runner("01_planes");
 ///       runner.question("side", [](const Case& c) -> Json {          // the right answer, by the
 ///       oracle
@@ -41,11 +41,6 @@
 #include "support/oracle.hpp"
 
 namespace hard_cases {
-
-/// What a chapter's hard_cases.cpp defines. Builds with sanitizers compile it together with the
-/// tests of the chapter's headers, because most of the time goes into the functions that both call;
-/// its own program calls it in all others.
-int program(int argc, char** argv);
 
 using Json = nlohmann::ordered_json;
 
