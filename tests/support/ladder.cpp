@@ -179,16 +179,14 @@ int never_wrong(ladder::Experiment& experiment, const Options& options) {
     std::size_t left = sums.empty() ? 0 : options.never_wrong;
     for (std::uint64_t block = options.from; left > 0; ++block) {
       experiment.prepare(family, std::min(left, block_size), block);
-      std::size_t made = 0;
       for (auto& [method, sum] : sums) {
         experiment.pass(method);
         const ladder::Judgement judged = experiment.judge();
         sum.n += judged.n;
         sum.wrong += judged.wrong;
         sum.undecided += judged.undecided;
-        made = judged.n;
       }
-      left -= std::min(left, std::max<std::size_t>(made, 1));
+      left -= std::min(left, block_size);  // a ladder may make fewer of a block
     }
     for (const auto& [method, sum] : sums) {
       std::printf("%-14s %-28s %9zu %9zu %9zu\n", about.id.c_str(), methods[method].id.c_str(),
