@@ -49,9 +49,9 @@ std::optional<Options> read(int argc, char** argv) {
                                                            {"--never-wrong", &options.never_wrong},
                                                            {"--from", &options.from}};
     const auto named = numbers.find(name);
-    if ((named == numbers.end() && name != "--json") || i + 1 == argc) {
-      std::fprintf(stderr, "%s: %s\n", argv[i],
-                   i + 1 == argc ? "unknown, or its value is missing" : "unknown option");
+    const bool known = named != numbers.end() || name == "--json";
+    if (!known || i + 1 == argc) {
+      std::fprintf(stderr, "%s: %s\n", argv[i], known ? "its value is missing" : "unknown option");
       return std::nullopt;
     }
     const std::string_view value = argv[++i];
@@ -67,6 +67,10 @@ std::optional<Options> read(int argc, char** argv) {
                    argv[i]);
       return std::nullopt;
     }
+  }
+  if (options.from > 0 && options.never_wrong == 0) {
+    std::fprintf(stderr, "--from goes with --never-wrong: how many inputs are to be asked?\n");
+    return std::nullopt;
   }
   return options;
 }
@@ -164,10 +168,15 @@ bool any_wrong(const std::vector<ladder::Judgement>& judged) {
 }
 
 /// Asks the methods that are declared exact, block after block of other inputs.
-/// @return 1 if one of them is wrong, and 0 otherwise
+/// @return 1 if one of them is wrong, or if there is none; 0 otherwise
 int never_wrong(ladder::Experiment& experiment, const Options& options) {
   constexpr std::size_t block_size = 10000;
   const auto& methods = experiment.methods();
+  const auto exact = [](const ladder::Method& method) { return method.exact; };
+  if (std::none_of(methods.begin(), methods.end(), exact)) {
+    std::fprintf(stderr, "no method is declared never wrong (.exact), so there is none to ask\n");
+    return 1;
+  }
   int exit_code = 0;
   std::printf("%s\n\n%-14s %-28s %9s %9s %9s\n", experiment.question().c_str(), "family", "method",
               "wrong", "undecided", "of");
@@ -211,7 +220,8 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
         "  --repeats R  timed passes; the medians and quartiles are over these (9)\n"
         "  --json FILE  write the results there as well\n"
         "  --never-wrong N  ask only the methods that by design are never wrong, N inputs a\n"
-        "                   family, and end with 1 if one is wrong\n"
+        "                   family (or of each block what the ladder makes at most), and end\n"
+        "                   with 1 if one is wrong\n"
         "  --from K     begin with the inputs of block K, of 10,000 each (0)\n",
         argv[0], argv[0], experiment.question().c_str());
     return options ? 0 : 2;

@@ -11,6 +11,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -248,6 +250,25 @@ TEST_CASE("the program keeps failures, and fails if an exact method is wrong") {
     CHECK(kept["methods"][0]["recommended"] == true);
     for (const auto& row : kept["results"]) CHECK(row.contains("failure") == (row["wrong"] > 0));
   }
+}
+
+TEST_CASE("options that ask nothing are refused") {
+  ladder::Ladder<int, bool> none_exact(
+      "Is it even?", [](const int& x) { return x % 2 == 0; },
+      [](const bool&, const bool&) { return ladder::Verdict{}; });
+  none_exact.family("any", "any", [](generators::Random&) { return 1; });
+  none_exact.method({.id = "always", .title = "always", .scalar = "int", .exact = false},
+                    [](const int&) { return true; });
+  const auto run = [&none_exact](std::vector<std::string> words) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    const int count = static_cast<int>(words.size());
+    return ladder::run_program(none_exact, "00_trial", count, arguments.data());
+  };
+  CHECK(run({"ladder", "--from", "3"}) == 2);
+  CHECK(run({"ladder", "--never-wrong"}) == 2);
+  CHECK(run({"ladder", "--never-wrong", "0"}) == 2);
+  CHECK(run({"ladder", "--never-wrong", "10"}) == 1);
 }
 
 TEST_CASE("what is declared never wrong is asked in blocks of other inputs") {
