@@ -12,6 +12,7 @@
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -259,42 +260,62 @@ double first_residual(const Program& program, const Scene& scene, int iterations
   for (const Motion& m : world->read()) most = std::max(most, speed(m));
   return most;
 }
-/// Of the step alone: the world is made before.
-double time_of_first_step(const Program& program, const Scene& scene, int iterations, int runs) {
-  std::vector<double> times;
-  for (int i = 0; i <= runs; ++i) {
+/// The smallest power of 2 up to 16,384 with which the first step leaves no box faster, 0 for an
+/// exact solver that does; nothing, if none does.
+std::optional<int> iterations_for(const Program& program, const Scene& scene, double speed) {
+  if (program.counts.empty()) {
+    if (first_residual(program, scene, 0) <= speed) return 0;
+    return std::nullopt;
+  }
+  for (int iterations = 1; iterations <= 16384; iterations *= 2)
+    if (first_residual(program, scene, iterations) <= speed) return iterations;
+  return std::nullopt;
+}
+/// Of the step alone, in microseconds: the world is made before. The second of two such steps is
+/// timed, since the first one fetches what the program before has pushed out of the caches.
+double time_of_first_step(const Program& program, const Scene& scene, int iterations) {
+  double taken = 0;
+  for (int i = 0; i < 2; ++i) {
     const auto world = program.make(scene, iterations);
     const double start = comparison::processor_time();
     world->step();
-    if (i > 0) times.push_back((comparison::processor_time() - start) / 1000);
+    taken = comparison::processor_time() - start;
   }
-  return comparison::spread(times).median;
+  return taken / 1000;
 }
+/// The programs take turns, so that a machine that grows slower does so for all of them.
 void residuals(const std::vector<Program>& all, const char* title, const Scene& scene, int runs) {
   constexpr double wanted[] = {1e-2, 1e-3, 1e-6, 1e-9};
+  struct Cell {
+    std::optional<int> iterations;
+    std::vector<double> times{};
+  };
+  std::vector<std::vector<Cell>> rows;
+  for (const Program& program : all) {
+    auto& row = rows.emplace_back();
+    for (const double speed : wanted) row.push_back({iterations_for(program, scene, speed)});
+  }
+  for (int run = 0; run < runs; ++run)
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (Cell& cell : rows[i])
+        if (cell.iterations)
+          cell.times.push_back(time_of_first_step(all[i], scene, *cell.iterations));
   std::printf(
       "%s, first step: the number of iterations or substeps (tried: powers of 2, up to 16,384) "
       "until no box is faster, and the time of that step, us\n  %-28s",
       title, "");
   for (const double r : wanted) std::printf(" %7.0e m/s %9s", r, "us");
   std::printf("\n");
-  for (const Program& program : all) {
-    std::printf("  %-28s", program.name.c_str());
-    for (const double r : wanted) {
-      int iterations = program.counts.empty() ? 0 : 1;
-      while (iterations > 0 && iterations <= 16384 &&
-             !(first_residual(program, scene, iterations) <= r))
-        iterations *= 2;
-      const bool reached =
-          iterations > 0 ? iterations <= 16384 : first_residual(program, scene, 0) <= r;
-      if (!reached) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::printf("  %-28s", all[i].name.c_str());
+    for (Cell& cell : rows[i]) {
+      if (!cell.iterations) {
         std::printf(" %11s %9s", "-", "-");
         continue;
       }
-      std::printf(" %11d %9.1f", iterations, time_of_first_step(program, scene, iterations, runs));
+      std::printf(" %11d %9.1f", *cell.iterations, comparison::spread(cell.times).median);
     }
-    std::printf("  %s\n", program.counts.empty() ? "exact solver" : program.counts.c_str());
-    std::fflush(stdout);
+    std::printf("  %s\n", all[i].counts.empty() ? "exact solver" : all[i].counts.c_str());
   }
   std::printf("\n");
 }
