@@ -3,7 +3,7 @@
 // What a page of the book weighs, compressed, by kind: everything that Chromium asks for when the
 // page is opened and read to its end, nothing pressed, and what the service worker itself is and asks
 // for. Without PAGE: every lesson. Exit code 1 if a page is over the limit (none by default), 2 for
-// wrong usage or no browser.
+// wrong usage, a page that is not there, or no browser.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -105,6 +105,13 @@ function tell(where, asked) {
 // A few at a time, since reading is mostly waiting.
 const together = 3;
 const list = positionals.length > 0 ? positionals : lessons();
+const missing = list.filter((where) => !fs.existsSync(path.join(site, where)));
+if (missing.length > 0) {
+  console.error(`${missing.join(", ")}: not in ${site}; a page is named as in ${lessons()[0]}`);
+  await close();
+  server.close();
+  process.exit(2);
+}
 for (let i = 0; i < list.length; i += together) {
   const some = list.slice(i, i + together);
   const asked = await Promise.all(some.map(asks));
