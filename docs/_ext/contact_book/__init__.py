@@ -42,6 +42,7 @@ from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
 from contact_book.page_order import connect as connect_page_order
 from contact_book.scene_player import ScenePlayer
+from contact_book.syllabus import Course, Syllabus
 from contact_book.term_index import show_index
 from contact_book.terms import connect as connect_terms
 from contact_book.your_work import YourWork
@@ -69,6 +70,8 @@ DIRECTIVES = {
     "chapter-cards": ChapterCards,
     "book-contents": BookContents,
     "e-book-link": EBookLink,
+    "syllabus": Syllabus,
+    "course": Course,
 }
 
 
