@@ -63,6 +63,7 @@ function(contact_add_chapter_libraries)
     target_compile_definitions(contact_${name} PUBLIC ${compiled})
     target_link_libraries(contact_${name} PUBLIC contact_${chapter} nlohmann_json::nlohmann_json PRIVATE contact_warnings)
     contact_compile_by_first_word(contact_${name} ${sources})
+    contact_may_ignore_scopes("${chapter}" contact_${name})
     target_precompile_headers(contact_${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <filesystem> <functional> <map>
       <memory> <optional> <string> <vector> <nlohmann/json.hpp>)
     # Optimised, also in builds for debugging, because running a scene takes long.

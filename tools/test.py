@@ -498,7 +498,7 @@ def what_pages_tell(preset: str, chapters: Sequence[str]) -> Iterator[Check]:
 
 def sanitize() -> Iterator[Check]:
     """Those of the turn, and what the change touches; sanitize_rest() takes the others."""
-    yield once("configure sanitize", ["cmake", "--preset", "sanitize"])
+    yield once("configure sanitize", ["cmake", "--preset", "sanitize", with_scopes()])
     without_reports("sanitize")
     yield build_of("sanitize", "support_tests", name="support")
     yield ctest("sanitize", "--exclude-regex", r"^(reference_tests|hard_cases)_")
@@ -512,6 +512,14 @@ def sanitize_rest() -> Iterator[Check]:
     """
     first = first_under_sanitizers()
     yield from sanitized([slug for slug in with_tests() if slug not in first])
+
+
+def with_scopes() -> str:
+    """The chapters whose tests also find uses after the end of a scope: those of the turn.
+
+    The other checks of the sanitizers are made of all chapters, in every run.
+    """
+    return "-DCONTACT_SCOPES=" + ";".join(sample(with_tests(), 3, "uses after scope", kind="tests"))
 
 
 def first_under_sanitizers() -> list[str]:
