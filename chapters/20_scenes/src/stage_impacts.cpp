@@ -1,7 +1,9 @@
 #include <contact/stepped/stage_impacts.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -120,6 +122,95 @@ CONTACT_SCENES_INLINE BouncingContacts bouncing_contacts(const SteppedSetup& set
   return found;
 }
 
+// [bounce-energy]
+/// The energy of some bodies at the end of a substep, as a parabola in the share of their bounce:
+/// 0 ends with the velocities without restitution, 1 with those after it.
+struct BounceEnergy {
+  double square = 0;
+  double linear = 0;
+  double constant = 0;  // less the energy that they may have
+  double size = 0;      // of the terms, for their rounding
+
+  /// The largest share that adds no energy.
+  double share() const {
+    const double slack = 0x1p8 * std::numeric_limits<double>::epsilon() * size;
+    if (square + linear + constant <= slack) return 1;
+    if (!(constant < 0)) return 0;
+    const double root = std::sqrt(std::max(linear * linear - 4 * square * constant, 0.0));
+    const double sum = linear + root;
+    return sum > 0 ? std::clamp(-2 * constant / sum, 0.0, 1.0) : 0;
+  }
+};
+
+/// A bounced body may have its energy at the start, and the work of gravity and springs on its way.
+CONTACT_SCENES_INLINE void add_energy(const SteppedSetup& setup, const SteppedState& state,
+                                      const Substep& substep, const BouncedBody& bounced,
+                                      BounceEnergy& sum) {
+  const std::size_t slot = bounced.slot;
+  const Vector3<double> before = velocity_of(setup, state, slot);
+  const Vector3<double> stopped = substep.end_velocity[slot];
+  const Vector3<double> change = bounced.velocity - stopped;
+  const Vector3<double> mean = (first_velocity(state, substep, slot) + stopped) / 2;
+  const double mass = setup.bodies[slot].mass;
+  const double work = mass * Vector3<double>(substep.free_velocity[slot] - before).dot(mean);
+  const auto add = [&sum](double squares, double products, double stops, double starts) {
+    sum.square += squares / 2;
+    sum.linear += products;
+    sum.constant += (stops - starts) / 2;
+    sum.size += squares + std::abs(products) + stops + starts;
+  };
+  add(mass * change.dot(change), mass * stopped.dot(change), mass * stopped.dot(stopped),
+      mass * before.dot(before));
+  sum.constant -= work;
+  sum.size += std::abs(work);
+  if (!rotated_by_contacts(setup, slot)) return;
+  const Vector3<double> spin = angular_velocity_of(state, slot);
+  const Vector3<double> slowed = substep.end_angular_velocity[slot];
+  const Vector3<double> turn = bounced.angular_velocity - slowed;
+  const Matrix3<double> inertia = solver_body(setup, state, slot, before, spin).inertia;
+  add(turn.dot(inertia * turn), slowed.dot(inertia * turn), slowed.dot(inertia * slowed),
+      spin.dot(inertia * spin));
+}
+
+/// Bodies that bounce during a substep leave from where they were stopped. Gravity has changed
+/// their velocities for the whole substep, but has not moved them so far: with all of that change,
+/// a bounce would add energy. Each island gets the share of its bounce that adds none.
+CONTACT_SCENES_INLINE void limit_energy(const SteppedSetup& setup, const SteppedState& state,
+                                        Substep& substep, const BouncingContacts& all,
+                                        std::vector<ContactImpulse<double>>& impulses) {
+  const std::vector<BodyContact<double>>& contacts = all.contacts;
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> at(setup.movers, none);  // where a body is among those that bounced
+  for (std::size_t i = 0; i < substep.bounced.size(); ++i) at[substep.bounced[i].slot] = i;
+  for (const std::vector<std::size_t>& island : islands(setup, state, contacts)) {
+    std::vector<std::size_t> bodies;
+    for (const std::size_t i : island)
+      for (const int body : {contacts[i].a, contacts[i].b})
+        if (index(body) < setup.movers && at[index(body)] != none)
+          bodies.push_back(std::exchange(at[index(body)], none));
+    BounceEnergy energy;
+    for (const std::size_t i : bodies)
+      add_energy(setup, state, substep, substep.bounced[i], energy);
+    const double share = energy.share();
+    if (share == 1) continue;
+    for (const std::size_t i : island) {
+      const ContactImpulse<double>& stop = all.start[i];
+      impulses[i].normal = stop.normal + (impulses[i].normal - stop.normal) * share;
+      const Vector3<double> more = impulses[i].tangential - stop.tangential;
+      impulses[i].tangential = stop.tangential + more * share;
+    }
+    for (const std::size_t i : bodies) {
+      BouncedBody& body = substep.bounced[i];
+      const Vector3<double> stopped = substep.end_velocity[body.slot];
+      body.velocity = stopped + (body.velocity - stopped) * share;
+      if (!rotated_by_contacts(setup, body.slot)) continue;
+      const Vector3<double> slowed = substep.end_angular_velocity[body.slot];
+      body.angular_velocity = slowed + (body.angular_velocity - slowed) * share;
+    }
+  }
+}
+// [/bounce-energy]
+
 }  // namespace detail
 
 // [bounces-stage]
@@ -137,9 +228,9 @@ CONTACT_SCENES_INLINE void solve_bounces(const SteppedSetup& setup, SteppedState
     substep.bounced.push_back(
         {slot, body.velocity, body.angular_velocity, orientation_of(setup, state, slot)});
   };
-  const auto impulses =
-      detail::solve_islands(setup, state, all.contacts, all.start, substep.planned,
-                            detail::SolveFor::bounces, make, give);
+  auto impulses = detail::solve_islands(setup, state, all.contacts, all.start, substep.planned,
+                                        detail::SolveFor::bounces, make, give);
+  detail::limit_energy(setup, state, substep, all, impulses);
   for (std::size_t first = 0, last = 0; first < all.contacts.size(); first = last) {
     bool hit = false;
     for (; last < all.contacts.size() && all.contacts[last].a == all.contacts[first].a &&
