@@ -156,7 +156,15 @@ CONTACT_SCENES_INLINE void correct_positions(const SteppedSetup& setup, SteppedS
     }
     if (moved.empty()) return;
   }
-  for (std::size_t i = 0; i < setup.movers; ++i) state.position.add(i, moved[i]);
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    state.position.add(i, moved[i]);
+    // The energy of being lifted comes from the motion, and that of being lowered goes into it.
+    const Vector3<double> v = state.velocity[i];
+    const double square = v.dot(v);
+    const double work = 2 * setup.scene.gravity.dot(moved[i]);
+    if (work == 0 || !(square > std::abs(work))) continue;
+    state.velocity.set(i, v * std::sqrt(1 + work / square));
+  }
 }
 // [/pushing-out-stage]
 
