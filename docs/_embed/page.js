@@ -105,7 +105,7 @@
     box.setAttribute("aria-label", "To embed this");
     box.append(words, code, copy, status);
     if (document.querySelector("contact-exercise")) box.append(...offerFile());
-    document.querySelector("main").append(box);
+    document.querySelector(".content").append(box);
   };
   if (!inFrame && location.protocol.startsWith("http")) addEventListener("load", () => offer());
 }

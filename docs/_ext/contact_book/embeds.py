@@ -144,12 +144,12 @@ def page_html(piece: Piece, name: str, lesson: str, title: str, figures: list[st
 </head>
 <body class="embedded">
 <script src="../{FOLDER}/page.js"></script>
-<main class="content"><h1>{escape(name)}</h1>
-<article role="main">
+<div class="content">
+<article role="main"><h1>{escape(name)}</h1>
 {shown}
-</article>
 <p class="from">From <a{attributes(href=place)}>{escape(title)}</a>, Contact Hours</p>
-</main>
+</article>
+</div>
 {scripts}
 </body>
 </html>

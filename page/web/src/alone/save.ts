@@ -101,9 +101,8 @@ export async function fileOf(address: string, compiler: boolean): Promise<Blob> 
     page.querySelector("title")?.outerHTML ?? "",
     ...[...styles, code].map((text) => `<style>${text}</style>\n`),
     `</head><body class="embedded"><script>${inPage(theme)}</script>\n`,
-    `<main class="content">${page.querySelector("h1")?.outerHTML ?? ""}`,
-    `<article role="main">${section.outerHTML}</article>`,
-    `${page.querySelector(".from")?.outerHTML ?? ""}</main>\n`,
+    `<div class="content"><article role="main">${page.querySelector("h1")?.outerHTML ?? ""}`,
+    `${section.outerHTML}${page.querySelector(".from")?.outerHTML ?? ""}</article></div>\n`,
   ];
   for (const [name, blob] of await files(base, id, compiler)) {
     const data = await asData(blob);
