@@ -300,8 +300,12 @@ class Links(HTMLParser):
     def __init__(self) -> None:
         super().__init__()
         self.found: set[str] = set()
+        # What the page names as the address that its own are relative to.
+        self.base = ""
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag == "base":
+            self.base = dict(attrs).get("href") or ""
         for name, value in attrs:
             if value and (name == "src" or (name == "href" and tag in {"a", "link"})):
                 self.found.add(value)
@@ -318,7 +322,7 @@ def fetch_all(port: int) -> list[str]:
         links = Links()
         links.feed(page.read_text(encoding="utf-8"))
         for link in links.found:
-            target = urlsplit(urljoin(origin + path, urldefrag(link).url))
+            target = urlsplit(urljoin(urljoin(origin + path, links.base), urldefrag(link).url))
             if f"{target.scheme}://{target.netloc}" == origin and target.path:
                 wanted.setdefault(target.path, path)
     wrong = []

@@ -165,7 +165,9 @@
       active.postMessage({ kind: "visited", addresses });
     }).observe({ type: "resource", buffered: true });
   };
-  if (location.protocol.startsWith("http") && "serviceWorker" in navigator) {
+  // A page to embed is not kept: it has nothing that its lesson does not have.
+  const alone = document.body.classList.contains("embedded");
+  if (!alone && location.protocol.startsWith("http") && "serviceWorker" in navigator) {
     const quietly = () => keep().catch(() => {});
     if (document.readyState === "complete") quietly();
     else addEventListener("load", quietly);

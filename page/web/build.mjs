@@ -182,6 +182,22 @@ async function serviceWorker() {
   return outputFiles.filter(({ path: file, contents }) => write(file, contents)).length > 0;
 }
 
+/** What an exercise saved as one file has in it: each script whole, because such a file can import nothing. */
+async function alone() {
+  const worker = (/** @type {string} */ name) => ({
+    in: path.join(here, "src", "cpp", `${name}.ts`),
+    out: name,
+  });
+  const page = (/** @type {string} */ name) => ({
+    in: path.join(here, "src", "alone", `${name}.ts`),
+    out: name,
+  });
+  const wanted = { splitting: false, outdir: path.join(out, "alone"), minify: true };
+  const modules = await bundle({ ...wanted, entryPoints: ["contact", "save"].map(page) });
+  const workers = ["compile-worker", "run-worker", "program-worker"].map(worker);
+  return modules + (await bundle({ ...wanted, format: "iife", entryPoints: workers }));
+}
+
 /** The chapter of the scenes, and the one of them that the player begins with. */
 const SCENES = "20_scenes";
 const FIRST_SCENE = "billiards_break";
@@ -223,6 +239,7 @@ async function scripts() {
     metafile: true,
     plugins: [collect],
   });
+  written += await alone();
   if (await serviceWorker()) written += 1;
   written += scenes();
   const { code } = await transform(styles(), {

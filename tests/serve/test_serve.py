@@ -13,6 +13,8 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from queue import Empty, Queue
 
@@ -281,3 +283,21 @@ def wait_until(asked: Callable[[], list[int]], seconds: float = 20) -> list[int]
     while not (found := asked()) and time.monotonic() < end:
         time.sleep(0.05)
     return found
+
+
+@pytest.mark.parametrize(("link", "wrong"), [("here.html", []), ("gone.html", ["/a/gone.html"])])
+def test_a_pages_links_are_relative_to_the_base_that_it_names(
+    link: str, wrong: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "here.html").write_text("")
+    (tmp_path / "b").mkdir()
+    page = f'<base href="../a/lesson.html"><a href="{link}">a link</a>'
+    (tmp_path / "b" / "page.html").write_text(page)
+    monkeypatch.setattr(serve, "SITE", tmp_path)
+    handler = partial(SimpleHTTPRequestHandler, directory=str(tmp_path))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        found = serve.fetch_all(server.server_port)
+        server.shutdown()
+    assert [line.split()[0] for line in found] == wrong

@@ -22,6 +22,7 @@ from contact_book.chapter import (
 from contact_book.chapter_map import ChapterMap
 from contact_book.deeper import Deeper
 from contact_book.ebook import connect as connect_ebook
+from contact_book.embeds import write_embeds
 from contact_book.errata import ErrataRole
 from contact_book.exercise import Exercise
 from contact_book.exercise_data import connect as connect_exercise_data
@@ -125,6 +126,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("build-finished", name_columns)
     app.connect("build-finished", subset_fonts)
     app.connect("build-finished", minify, priority=800)
+    app.connect("build-finished", write_embeds, priority=850)
     app.connect("build-finished", write_offline, priority=900)
     # Another env_version: what was kept by an earlier build is not read.
     return {

@@ -15,7 +15,15 @@ from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError
-from contact_book.html import attributes, base_path, can_run_scripts, json_script, renders, slots
+from contact_book.html import (
+    attributes,
+    base_path,
+    can_run_scripts,
+    embed_address,
+    json_script,
+    renders,
+    slots,
+)
 from contact_book.nodes import component, make_component, make_slot, slot
 from contact_book.questions import GAP, Wrong, find_question
 from contact_book.questions import Question as QuestionData
@@ -201,5 +209,9 @@ def question_html(translator: HTML5Translator, node: component) -> str:
         f'<ul class="criteria">{criteria}</ul></template>' if criteria else "</template>"
     )
     script = json_script(payload(question, parts))
-    where = attributes(base=base_path(translator), id=f"question-{question.id}")
+    where = attributes(
+        base=base_path(translator),
+        id=f"question-{question.id}",
+        embed=embed_address(translator, "question", question.ref),
+    )
     return f"<contact-question{where}>{script}{fallback}{after}</contact-question>\n"

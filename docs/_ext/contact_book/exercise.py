@@ -19,7 +19,16 @@ from contact_book.errors import BookError
 from contact_book.exercise_data import exercise_json, keep, note
 from contact_book.exercises import KINDS, find_exercise, misconception_hints
 from contact_book.exercises import Exercise as ExerciseData
-from contact_book.html import attributes, base_path, can_run_scripts, render, renders, slots
+from contact_book.html import (
+    attributes,
+    base_path,
+    can_run_scripts,
+    embed_address,
+    embed_link,
+    render,
+    renders,
+    slots,
+)
 from contact_book.listing import listing
 from contact_book.nodes import component, make_component, make_slot, slot
 from contact_book.tables import table
@@ -176,4 +185,6 @@ def exercise_html(translator: HTML5Translator, node: component) -> str:
         mine=node["data"]["mine"],
         **forms,
     )
-    return f"<contact-exercise{where}>{inner}</contact-exercise>\n"
+    alone = embed_link(embed_address(translator, "exercise", exercise.ref), "exercise")
+    foot = f'<p class="embed-foot">{alone}</p>\n' if alone else ""
+    return f"<contact-exercise{where}>{inner}</contact-exercise>\n{foot}"

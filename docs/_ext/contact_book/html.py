@@ -66,6 +66,22 @@ def base_path(translator: HTML5Translator) -> str:
     return "../" * docname.count("/") + "_static/contact/"
 
 
+def embed_address(translator: HTML5Translator, kind: str, ref: str) -> str | None:
+    """Where a lesson's figure, exercise or question stands alone (embeds.py); other pages: None."""
+    docname = translator.builder.current_docname
+    if not can_run_scripts(translator) or not docname.startswith("chapters/"):
+        return None
+    chapter, name = ref.split("/")
+    return "../" * docname.count("/") + f"embed/{chapter}/{kind}/{name}.html"
+
+
+def embed_link(address: str | None, kind: str) -> str:
+    """The quiet link to that page; nothing where there is no such page."""
+    about = f"This {kind} alone, to put into a page of yours"
+    where = attributes(class_="embed-link", href=address, title=about)
+    return f"<a{where}>Embed</a>" if address else ""
+
+
 def can_run_scripts(translator: HTML5Translator) -> bool:
     """An e-book gets the fallback alone."""
     return translator.builder.name != "epub"

@@ -12,7 +12,15 @@ from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.directive import BookDirective
 from contact_book.errors import unknown
-from contact_book.html import attributes, base_path, can_run_scripts, renders, slots
+from contact_book.html import (
+    attributes,
+    base_path,
+    can_run_scripts,
+    embed_address,
+    embed_link,
+    renders,
+    slots,
+)
 from contact_book.nodes import component, make_component, make_slot
 
 _VIEW_BOX = re.compile(r"viewBox=\"\s*\S+\s+\S+\s+(?P<width>[\d.]+)\s+(?P<height>[\d.]+)\s*\"")
@@ -51,6 +59,15 @@ class LiveFigure(BookDirective):
         return [make_component("live-figure", data, [make_slot("caption", caption)])]
 
 
+def figure_id(translator: HTML5Translator, name: str) -> str | None:
+    """The name of the figure's position in its page; None where the page has shown it already."""
+    seen: set[str] = translator.__dict__.setdefault("contact_figures", set())
+    if name in seen:
+        return None
+    seen.add(name)
+    return f"figure-{name.split('/')[1].replace('_', '-')}"
+
+
 @renders("live-figure")
 def live_figure_html(translator: HTML5Translator, node: component) -> str:
     data = node["data"]
@@ -66,5 +83,7 @@ def live_figure_html(translator: HTML5Translator, node: component) -> str:
         inner = (
             f"<contact-figure{attributes(name=data['name'], base=base)}>{inner}</contact-figure>"
         )
-    words = f"<figcaption>{caption}</figcaption>" if caption else ""
-    return f'<figure class="live">{inner}{words}</figure>\n'
+    alone = embed_link(embed_address(translator, "figure", data["name"]), "figure")
+    words = f"<figcaption>{caption}{alone}</figcaption>" if caption or alone else ""
+    where = attributes(id=figure_id(translator, data["name"]))
+    return f'<figure class="live"{where}>{inner}{words}</figure>\n'

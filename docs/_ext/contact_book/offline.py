@@ -2,7 +2,7 @@
 
 offline.json names each file with the start of its SHA-256 and its sizes; the page's side of it is
 page/web/src/offline. The compiler's files are not in it, because they have a manifest of their own,
-nor is the e-book, which repeats the pages.
+nor are the e-book and the pages to embed, which repeat the lessons.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ from contact_book.run import EBOOK
 WORKER = "sw.js"
 LIST = "offline.json"
 _COMPILER = "_static/contact/cpp/"
+# What a reader who saves or embeds a part loads, and the pages do not.
+_NOT_READ = ("_sources/", "embed/", "_static/contact/alone/")
 _HASH_LENGTH = 16
 # What a server does not compress again.
 _COMPRESSED = {".woff2", ".png", ".gz"}
@@ -31,7 +33,7 @@ def kept_files(site: Path) -> Iterator[tuple[str, Path]]:
     for file in sorted(site.rglob("*")):
         path = file.relative_to(site).as_posix()
         hidden = any(part.startswith(".") for part in file.relative_to(site).parts)
-        if not file.is_file() or hidden or path.startswith((_COMPILER, "_sources/")):
+        if not file.is_file() or hidden or path.startswith((_COMPILER, *_NOT_READ)):
             continue
         if path not in (WORKER, LIST, EBOOK, "objects.inv") and not path.endswith("/" + WORKER):
             yield path, file

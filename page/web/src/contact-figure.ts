@@ -272,7 +272,9 @@ export class ContactFigure extends HTMLElement {
   async #copyLink(status: HTMLElement): Promise<void> {
     const eye = this.#space?.eye;
     const turned = this.#eyeMoved && eye ? ([eye.azimuth, eye.elevation] as const) : undefined;
-    history.replaceState(null, "", encodeState(this.name, this.input ?? {}, turned));
+    // In full: a page to embed has the lesson's address as its base.
+    const state = encodeState(this.name, this.input ?? {}, turned);
+    history.replaceState(null, "", location.pathname + location.search + state);
     try {
       await navigator.clipboard.writeText(location.href);
       status.textContent = "Link copied.";

@@ -134,7 +134,22 @@ export class ContactQuestion extends HTMLElement {
     const kind = html("p", { class: "kind" }, KINDS[question.kind]);
     const script = this.querySelector("script")!;
     const below = asker.below ? [asker.below] : [];
-    this.replaceChildren(script, kind, asked, answer, buttons, verdict, explain, ...below);
+    const address = this.getAttribute("embed");
+    const title = "This question alone, to put into a page of yours";
+    const alone = address
+      ? [html("a", { class: "embed-link", href: address, title }, "Embed")]
+      : [];
+    this.replaceChildren(
+      script,
+      ...alone,
+      kind,
+      asked,
+      answer,
+      buttons,
+      verdict,
+      explain,
+      ...below,
+    );
     show("open");
     const before = recall(question.id);
     if (before?.right) say(undefined, "You have answered this one right before.");

@@ -64,6 +64,21 @@ async function handle(message: ToCompiler): Promise<void> {
   }
 }
 
+/** The compiler's program as a module. A page that was opened from a file may import a data: address alone. */
+async function imported(program: Bytes): Promise<Llvm> {
+  const blob = new Blob([program], { type: "text/javascript" });
+  if ("contactSavedFrom" in globalThis) {
+    const text = encodeURIComponent(await blob.text());
+    return (await import(`data:text/javascript,${text}`)) as Llvm;
+  }
+  const address = URL.createObjectURL(blob);
+  try {
+    return (await import(address)) as Llvm;
+  } finally {
+    URL.revokeObjectURL(address);
+  }
+}
+
 class Compiler {
   readonly modules: Modules;
   readonly #llvm: Llvm;
@@ -125,9 +140,7 @@ class Compiler {
       ...names.map(module),
     ]);
     post({ kind: "opening" });
-    const address = URL.createObjectURL(new Blob([program], { type: "text/javascript" }));
-    const llvm = (await import(address)) as Llvm;
-    URL.revokeObjectURL(address);
+    const llvm = await imported(program);
     const made = Object.fromEntries(modules);
     await llvm.start({ modules: made, files: llvm.openTar(tar.buffer) });
     const compiler = new Compiler(llvm, made, checks, manifest, downloads);

@@ -192,6 +192,11 @@ const brokeOff = () =>
   new CheckerError("The download broke off. Try again: what has arrived whole is kept.");
 
 function unreachable(): CheckerError {
+  const { contactSavedFrom } = globalThis as { contactSavedFrom?: string };
+  if (contactSavedFrom)
+    return new CheckerError(
+      `The compiler could not be loaded from ${contactSavedFrom}. This file was saved without it, so it needs a network and a server that allows other pages to load it. Your code is kept.`,
+    );
   if (globalThis.location?.protocol === "file:")
     return new CheckerError(
       "A page opened from a file cannot load the compiler. Open the book from a web server.",

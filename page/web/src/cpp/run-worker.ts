@@ -15,8 +15,15 @@ interface Thread {
   onBroken?: (why: string) => void;
 }
 
+/** The thread's script, where it is not beside this one: in an exercise saved as one file (alone/files.ts). */
+const { contactProgram } = globalThis as { contactProgram?: string };
+const saved =
+  contactProgram && URL.createObjectURL(new Blob([contactProgram], { type: "text/javascript" }));
+
 function newThread(): Thread {
-  const worker = new Worker(new URL("program-worker.js", location.href), { type: "module" });
+  const worker = saved
+    ? new Worker(saved)
+    : new Worker(new URL("program-worker.js", location.href), { type: "module" });
   const thread: Thread = { worker };
   worker.onerror = (event) => {
     event.preventDefault();
