@@ -5,6 +5,7 @@
 
 #include <05_meshes/families.hpp>
 #include <05_meshes/mesh_truth.hpp>
+#include <algorithm>
 #include <contact/mesh_columns.hpp>
 #include <contact/mesh_hits.hpp>
 #include <contact/mesh_tree.hpp>
@@ -52,6 +53,34 @@ ladder::Method plain(const char* id, const char* in, const char* title, const ch
 }
 ladder::Method exact(const char* id, const char* title, const char* scalar) {
   return {.id = id, .title = title, .scalar = scalar, .exact = true};
+}
+
+/// All bodies that segments are aimed at.
+const std::vector<const Body*>& targets() {
+  static const std::vector<const Body*> all = [] {
+    std::vector<const Body*> bodies;
+    for (const mesh_families::Bodies* some : {&mesh_families::usual(), &mesh_families::whole(),
+                                              &mesh_families::thin(), &mesh_families::small()}) {
+      for (const Body& body : *some) bodies.push_back(&body);
+    }
+    return bodies;
+  }();
+  return all;
+}
+
+/// The targets as a peer gets them, one after the other: the numbers of vertices and of triangles,
+/// the coordinates, and the triangles.
+std::vector<double> targets_in_numbers() {
+  std::vector<double> to;
+  for (const Body* body : targets()) {
+    const Mesh<double>& mesh = body->in_double;
+    to.push_back(static_cast<double>(mesh.vertices.size()));
+    to.push_back(static_cast<double>(mesh.triangles.size()));
+    for (const Point& v : mesh.vertices) to.insert(to.end(), v.begin(), v.end());
+    for (const auto& triangle : mesh.triangles)
+      to.insert(to.end(), triangle.begin(), triangle.end());
+  }
+  return to;
 }
 
 /// The meshes of the figures are others.
@@ -195,6 +224,23 @@ ladder::Ladder<Input, Answer> experiment() {
       [](const Input& input) { return named(input.at->tree.first(input.segment_in_double)); });
   ladder.method(exact("first-unfiltered", "each triangle near the line, no filter", "exact"),
                 truth);
+  ladder.peer(
+      {.id = "bvh-meshes",
+       .title = "three-mesh-bvh",
+       .scalar = "JavaScript",
+       .asks = 7,
+       .tells = 2},
+      [](const Input& input, std::vector<double>& to) {
+        const auto at = std::find(targets().begin(), targets().end(), input.at->body);
+        to.push_back(static_cast<double>(at - targets().begin()));
+        for (const Point& end : {input.segment_in_double.start, input.segment_in_double.end}) {
+          to.insert(to.end(), end.begin(), end.end());
+        }
+      },
+      [](const double* told, const Answer&) {
+        return Answer{static_cast<int>(told[0]), told[1]};
+      },
+      targets_in_numbers);
   ladder.recommend("tree");
   ladder.show(shown);
   return ladder;

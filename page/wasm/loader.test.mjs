@@ -7,6 +7,7 @@ import os from "node:os";
 import path from "node:path";
 import { before, describe, test } from "node:test";
 import { chaptersTaken } from "../../tests/browser/sample.mjs";
+import { load } from "../web/test/load.mjs";
 import { importLoader } from "./import_loader.mjs";
 import { initialStates } from "./initial_states.mjs";
 import { nativeFigure } from "./native_figure.mjs";
@@ -214,6 +215,39 @@ describe("every ladder finds the wrong answers that its native program finds", (
       }
     });
   }
+});
+
+describe("a ladder judges what libraries in JavaScript answer", () => {
+  for (const { name, recipe } of takenLadders)
+    test(name, async (t) => {
+      const ladder = await loadLadder(bytes(recipe));
+      const { families, peers } = ladder.layout;
+      if (peers.length === 0) return t.skip("it asks none");
+      const { loadPeer } = await load("ladder-peers.ts");
+      for (const [p, peer] of peers.entries()) {
+        const code = await loadPeer(peer, ladder.given(p));
+        const n = 400;
+        const wrong = [];
+        for (const [f, { part }] of families.entries()) {
+          if (part !== peer.part) continue;
+          ladder.prepare(f, n);
+          const asked = code.prepare(ladder.questions(p, n));
+          asked.pass();
+          const answers = asked.answers();
+          assert.equal(answers.length, n * peer.tells);
+          wrong.push(ladder.judge(p, answers).wrong);
+          if (wrong.length > 1) continue;
+          const nothing = ladder.judge(p, new Float64Array(answers.length));
+          assert.ok(
+            nothing.wrong > n / 10,
+            `${peer.id}: ${nothing.wrong} wrong if all it says is 0`,
+          );
+        }
+        // The first family is random; others are hard to decide.
+        assert.equal(wrong[0], 0, peer.id);
+        assert.ok(Math.max(...wrong) > 0 && Math.max(...wrong) < n, `${peer.id}: ${wrong}`);
+      }
+    });
 });
 
 describe("the heap of figures", () => {

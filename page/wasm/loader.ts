@@ -230,6 +230,7 @@ interface LadderFunctions {
   prepare(family: number, n: number): void;
   pass(method: number): void;
   run(method: number): number;
+  given(peer: number): number;
   questions(peer: number): number;
   answers(peer: number): number;
   judge(peer: number): number;
@@ -243,7 +244,9 @@ export interface Ladder {
   pass(method: number): void;
   /** Times a method on them and compares its answers with the truth. */
   run(method: number): LadderResult;
-  /** The inputs as the peer with this number gets them. */
+  /** What the questions of the peer with this number refer to, such as meshes; often nothing. */
+  given(peer: number): Float64Array;
+  /** The inputs as the peer gets them. */
   questions(peer: number, n: number): Float64Array;
   /** Compares a peer's answers to all of them with the truth. */
   judge(peer: number, answers: Float64Array): LadderJudgement;
@@ -264,6 +267,11 @@ export async function loadLadder(source: Source): Promise<Ladder> {
         ...program.numbers(place, 9),
       ] as [number, number, number, number, number, number, number, number, number];
       return { n, wrong, undecided, error_median, error_max, ns_median, ns_q1, ns_q3, repeats };
+    },
+    given(peer) {
+      const place = program.call((ladder) => ladder.given(peer));
+      const [size] = program.numbers(place, 1) as unknown as [number];
+      return program.numbers(place, 1 + size).slice(1);
     },
     questions(peer, n) {
       const place = program.call((ladder) => ladder.questions(peer));

@@ -115,6 +115,31 @@ TEST_CASE("hits of a mesh are those of whole numbers: which, in which order, on 
   against_whole_numbers<float>(420, 82);
 }
 
+TEST_CASE("t and weights are right however far away the line starts") {
+  Random random(83);
+  int met = 0;
+  const int lines = generators::tried(200);
+  for (int i = 0; i < lines; ++i) {
+    INFO("line " << i);
+    Mesh<double> mesh;
+    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(in_cube(random));
+    mesh.triangles = {{0, 1, 2}};
+    const Point target = 0.4 * mesh.vertices[0] + 0.35 * mesh.vertices[1] + 0.25 * mesh.vertices[2];
+    const Point start = std::ldexp(1.0, random.integer(0, 40)) * in_cube(random);
+    const auto check = [&](const auto& line) {
+      const std::vector<Right> right = right_hits(line, mesh);
+      const auto first = contact::first_mesh_hit(line, mesh);
+      REQUIRE(first.has_value() == !right.empty());
+      if (!first) return;
+      check_hit(*first, right[0], mesh);
+      ++met;
+    };
+    check(Ray<double>{start, target - start});
+    check(Segment<double>{start, target + random.uniform(0, 1) * (target - start)});
+  }
+  CHECK(met > lines);
+}
+
 TEST_CASE("an edge, a vertex and a diagonal count once") {
   const Mesh<double> box = contact::box_mesh({0, 0, 0}, {2, 2, 2});
   // Through two opposite corners, along the diagonal of the cube.

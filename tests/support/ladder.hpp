@@ -29,6 +29,8 @@
 /// - `run(method)`: address of nine doubles: n, wrong, undecided, error_median, error_max,
 /// ns_median, ns_q1, ns_q3, repeats; and imports `env.now`, the time in milliseconds. Inputs are
 /// the same everywhere, so the wrong answers are too;
+/// - `given(peer)`: address of how many numbers follow, and of those that a peer is given once,
+/// before all questions;
 /// - `questions(peer)`: address of the prepared inputs as that peer gets them, `asks` doubles each;
 /// - `answers(peer)`: address of room for its answers, `tells` doubles each;
 /// - `judge(peer)`: compares what the page wrote there with the truth; address of the first five of
@@ -102,11 +104,14 @@ class Ladder : public Experiment {
   /// @param ask appends the numbers of one question to a vector
   /// @param tell makes an answer of the numbers of one; it is also given the truth, for what the
   /// peer by its own definition answers differently
+  /// @param given what the questions refer to, such as meshes: the peer gets it once, before them
   void peer(Peer about, std::function<void(const Input&, std::vector<double>&)> ask,
-            std::function<Answer(const double*, const Answer& right)> tell) {
+            std::function<Answer(const double*, const Answer& right)> tell,
+            std::function<std::vector<double>()> given = {}) {
     peers_.push_back(std::move(about));
     ask_.push_back(std::move(ask));
     tell_.push_back(std::move(tell));
+    given_.push_back(std::move(given));
   }
 
   /// Makes at most n inputs of a family, however many are asked for: methods that take long.
@@ -155,6 +160,10 @@ class Ladder : public Experiment {
   }
 
   void pass(std::size_t method) override { loops_[method](inputs_, answers_); }
+
+  std::vector<double> given(std::size_t peer) const override {
+    return given_[peer] ? given_[peer]() : std::vector<double>();
+  }
 
   std::vector<double> questions(std::size_t peer) const override {
     std::vector<double> numbers;
@@ -250,6 +259,7 @@ class Ladder : public Experiment {
   std::vector<Peer> peers_;
   std::vector<std::function<void(const Input&, std::vector<double>&)>> ask_;
   std::vector<std::function<Answer(const double*, const Answer&)>> tell_;
+  std::vector<std::function<std::vector<double>()>> given_;
   Show show_;
   Simplify simplify_;
   std::vector<std::function<Answer(const Input&)>> calls_;
@@ -297,6 +307,9 @@ class Parts : public Experiment {
     current_->prepare(of_family_[family].index, n, block);
   }
   void pass(std::size_t method) override { current_->pass(of_method_[method].index); }
+  std::vector<double> given(std::size_t peer) const override {
+    return parts_[of_peer_[peer].part]->given(of_peer_[peer].index);
+  }
   std::vector<double> questions(std::size_t peer) const override {
     return current_->questions(of_peer_[peer].index);
   }

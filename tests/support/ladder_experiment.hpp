@@ -137,6 +137,9 @@ class Experiment {
   virtual void prepare(std::size_t family, std::size_t n, std::uint64_t block) = 0;
   /// Answers every input once; nothing but the method is done here, so the caller times it.
   virtual void pass(std::size_t method) = 0;
+  /// What a peer's questions refer to, such as meshes: the same numbers for all families, often
+  /// none.
+  virtual std::vector<double> given(std::size_t peer) const = 0;
   /// The prepared inputs as a peer gets them: its `asks` numbers for each.
   virtual std::vector<double> questions(std::size_t peer) const = 0;
   /// Takes a peer's answers, its `tells` numbers for each prepared input, as those of the last

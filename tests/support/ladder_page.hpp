@@ -84,6 +84,13 @@ void run_in_page(Experiment& experiment, std::size_t method, const Now& now_in_m
 /// The numbers that go to a peer in the page, and those that come back.
 class Exchange {
  public:
+  /// The address of how many numbers a peer is given before all questions, and of these numbers.
+  const double* given(const Experiment& experiment, std::size_t peer) {
+    numbers_ = experiment.given(peer);
+    numbers_.insert(numbers_.begin(), static_cast<double>(numbers_.size()));
+    return numbers_.data();
+  }
+
   /// The address of the questions of the prepared inputs.
   const double* questions(const Experiment& experiment, std::size_t peer) {
     numbers_ = experiment.questions(peer);
@@ -138,6 +145,9 @@ class Exchange {
     return row;                                                                                   \
   }                                                                                               \
   static ladder::Exchange ladder_exchange;                                                        \
+  LADDER_EXPORT("given") const double* ladder_given(int peer) {                                   \
+    return ladder_exchange.given(the_ladder(), static_cast<std::size_t>(peer));                   \
+  }                                                                                               \
   LADDER_EXPORT("questions") const double* ladder_questions(int peer) {                           \
     return ladder_exchange.questions(the_ladder(), static_cast<std::size_t>(peer));               \
   }                                                                                               \

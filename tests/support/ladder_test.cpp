@@ -141,7 +141,13 @@ TEST_CASE("a peer is asked in numbers, and its answers are compared with the tru
       // It tells two halves, and of a truth above 45 nothing that could be wrong.
       [](const double* told, const int& right) {
         return right > 45 ? right : static_cast<int>(told[0] + told[1]);
+      },
+      [] {
+        return std::vector<double>{7, 8};
       });
+  sums.peer(
+      {.id = "bare", .title = "bare", .scalar = "JavaScript"},
+      [](const Numbers&, std::vector<double>&) {}, [](const double*, const int&) { return 0; });
   ladder::Parts parts("Sums");
   ladder::Ladder<int, bool> other(
       "Another?", [](const int&) { return true; },
@@ -149,14 +155,19 @@ TEST_CASE("a peer is asked in numbers, and its answers are compared with the tru
   other.family("any", "any", [](generators::Random& random) { return random.integer(0, 9); });
   parts.add(std::move(other));
   parts.add(std::move(sums));
-  REQUIRE(parts.peers().size() == 1);
+  REQUIRE(parts.peers().size() == 2);
   CHECK(parts.peers()[0].part == "How large is the sum?");
   CHECK(ladder::layout(parts).ends_with(
       R"("peers":[{"id":"peer","title":"peer","scalar":"JavaScript","asks":10,"tells":2,)"
+      R"("part":"How large is the sum?"},)"
+      R"({"id":"bare","title":"bare","scalar":"JavaScript","asks":1,"tells":1,)"
       R"("part":"How large is the sum?"}]})"));
+  ladder::Exchange exchange;
+  const double* given = exchange.given(parts, 0);
+  CHECK(std::vector<double>(given, given + 3) == std::vector<double>{2, 7, 8});
+  CHECK(*exchange.given(parts, 1) == 0);
   constexpr std::size_t n = 100;
   parts.prepare(1 + with, n, 0);
-  ladder::Exchange exchange;
   const double* asked = exchange.questions(parts, 0);
   const std::vector<double> questions(asked, asked + 10 * n);
   std::size_t wrong = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <contact/error_free.hpp>
 #include <contact/exact.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/filter.hpp>
@@ -101,15 +102,18 @@ class MeshLine {
       const double above = dot_of(r, n);
       const double above_room =
           16 * mesh_u * (far * (edges * edges)) + 0x1p-1000 * (1 + edges + far);
+      // The denominator's own, which does not grow with the distance of the start.
+      const double below_room =
+          16 * mesh_u * (size_ * (edges * edges)) + 0x1p-1000 * (1 + edges + size_);
       const double sign = denominator < 0 ? -1 : 1;
       if (sign * above < -above_room) return std::nullopt;
       const bool starts = sign * above > above_room;
       const double beyond = sign * (above - denominator);
-      if (has_end<Line> && beyond > above_room + room) return std::nullopt;
-      const bool ends = !has_end<Line> || beyond < -(above_room + room);
+      if (has_end<Line> && beyond > above_room + below_room) return std::nullopt;
+      const bool ends = !has_end<Line> || beyond < -(above_room + below_room);
       if (starts && ends) {
         const double t = above / denominator;
-        const double error = (above_room + t * room) / (std::abs(denominator) - room);
+        const double error = (above_room + t * below_room) / (std::abs(denominator) - below_room);
         return MeshMeeting{-1, t, 2 * error + 8 * mesh_u * t + 0x1p-1000};
       }
     }
@@ -221,13 +225,31 @@ inline std::optional<double> certain_ratio(const Bounded& numerator, const Bound
   return std::clamp(value, 0.0, high) + 0.0;  // not −0
 }
 
+/// a − (start + t direction), to within 3 u of itself and 8 u² (|a − start| + |t direction|) in
+/// each coordinate, and 2^-1072 where a product underflows: differences and product are taken with
+/// their errors, so that neither the position of a distant start nor the direction of a segment is
+/// rounded.
+template <class Line>
+Vector3<double> vertex_from_line(const Line& line, const Vector3<double>& a, double t) {
+  Vector3<double> r;
+  for (int k = 0; k < 3; ++k) {
+    const WithError<double> apart = two_sum(a[k], -start_of(line)[k]);
+    WithError<double> along{ray_of(line).direction[k], 0};
+    if constexpr (has_end<Line>) along = two_sum(line.end[k], -line.start[k]);
+    const WithError<double> offset = two_product(t, along.value);
+    r[k] = (apart.value - offset.value) + ((apart.error - offset.error) - t * along.error);
+  }
+  return r;
+}
+
 // [mesh-answer]
 /// t and the weights of a line that meets a triangle.
 ///
 /// t = start/denominator. For the weights the line is taken to start at t, next to the triangle:
 /// r = a − (start + t direction) is off by at most 4 u (|a − start| + |t direction|), and the error
 /// of t has no effect, because r only occurs in direction × r. Far from the start this is much
-/// better than the determinants of the decision. In doubt exact quotients, rounded once.
+/// better than the determinants of the decision. In doubt r is computed again, as if with twice the
+/// digits; then exact quotients, rounded once.
 template <FloatOrDouble S, class Line>
 TriangleHit<S> mesh_triangle_hit(const Line& line, const Triangle<double>& triangle) {
   const LineAndTriangle<double> x = differences_of<double>(line, triangle);
@@ -238,19 +260,27 @@ TriangleHit<S> mesh_triangle_hit(const Line& line, const Triangle<double>& trian
       certain_ratio(above, below, has_end<Line> ? 1.0 : infinity, 0x1p-40);
   if (t) {
     const Vector3<double> offset = *t * x.direction;
-    const Vector3<double> r = x.a - offset;
-    const Vector3<double> q = x.direction.cross(r);
     const double edges = std::max(sum_of_sizes(x.ab), sum_of_sizes(x.ac));
     const double size = sum_of_sizes(x.direction);
-    const double reach = sum_of_sizes(r) + sum_of_sizes(x.a) + sum_of_sizes(offset);
-    const double room = 16 * mesh_u * (edges * (2 * size * reach)) + 0x1p-1000 * (1 + edges + size);
-    const std::optional<double> of_b = certain_ratio({-x.ac.dot(q), room}, below, 1.0, 0x1p-32);
-    const std::optional<double> of_c = certain_ratio({x.ab.dot(q), room}, below, 1.0, 0x1p-32);
-    if (of_b && of_c) {
+    const double far = sum_of_sizes(x.a) + sum_of_sizes(offset);
+    // r is off by 4 u of its 1-norm and of `error`.
+    const auto weights = [&](const Vector3<double>& r,
+                             double error) -> std::optional<TriangleHit<S>> {
+      const Vector3<double> q = x.direction.cross(r);
+      const double reach = sum_of_sizes(r) + error;
+      const double room =
+          16 * mesh_u * (edges * (2 * size * reach)) + 0x1p-1000 * (1 + edges + size);
+      const std::optional<double> of_b = certain_ratio({-x.ac.dot(q), room}, below, 1.0, 0x1p-32);
+      if (!of_b) return std::nullopt;
+      const std::optional<double> of_c = certain_ratio({x.ab.dot(q), room}, below, 1.0, 0x1p-32);
+      if (!of_c) return std::nullopt;
       const double of_a = std::max(1 - *of_b - *of_c, 0.0);
-      return {static_cast<S>(*t),
-              {static_cast<S>(of_a), static_cast<S>(*of_b), static_cast<S>(*of_c)}};
-    }
+      return TriangleHit<S>{static_cast<S>(*t),
+                            {static_cast<S>(of_a), static_cast<S>(*of_b), static_cast<S>(*of_c)}};
+    };
+    std::optional<TriangleHit<S>> hit = weights(x.a - offset, far);
+    if (!hit) hit = weights(vertex_from_line(line, triangle.a, *t), 4 * mesh_u * far + 0x1p-1000);
+    if (hit) return *hit;
   }
   const LineAndTriangle<Exact> exact = differences_of<Exact>(line, triangle);
   const Exact denominator = exact_determinant(exact, Determinant::denominator);

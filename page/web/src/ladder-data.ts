@@ -18,6 +18,8 @@ export interface LadderMethod {
   readonly recommended?: boolean;
   /** Another library, in JavaScript: only the reader's own run has it. */
   readonly peer?: boolean;
+  /** What a reader must know of a peer's times. */
+  readonly note?: string;
   /** The question that it answers, if the ladder has several. */
   readonly part?: string;
 }

@@ -226,10 +226,12 @@ function peersWords({ methods, results }: LadderResult): string {
     .map(({ n }) => n);
   const [least, most] = [Math.min(...sizes), Math.max(...sizes)].map((n) => n.toLocaleString("en"));
   const inputs = least === most ? least : `${least} to ${most}`;
-  return (
+  const notes = new Set(peers.flatMap(({ note }) => note ?? []));
+  return [
     `in JavaScript: another library, asked only here, on ${inputs} inputs a family, because the book's ` +
-    "own numbers are those of native programs"
-  );
+      "own numbers are those of native programs",
+    ...notes,
+  ].join("; ");
 }
 
 function legend(result: LadderResult, own: boolean): string {

@@ -26,7 +26,7 @@ async function measure(url: string): Promise<void> {
   const seconds = (): number => (performance.now() - began) / 1000;
   const ladder = await loadLadder(url);
   const { families, methods, peers } = ladder.layout;
-  const codes = await Promise.all(peers.map(loadPeer));
+  const codes = await Promise.all(peers.map((peer, p) => loadPeer(peer, ladder.given(p))));
   scope.postMessage({ kind: "peers", peers: peers.map((peer, p) => named(peer, codes[p]!)) });
   const asked = families.map((family) => indicesOf(methods, family));
   const others = families.map((family) => indicesOf(peers, family));
@@ -51,8 +51,9 @@ async function measure(url: string): Promise<void> {
 }
 
 /** How the page calls a peer. */
-function named({ id, title, scalar, part }: LadderPeer, { version }: PeerCode): LadderMethod {
-  return { id, title: `${title} ${version}`, scalar, exact: false, peer: true, part };
+function named({ id, title, scalar, part }: LadderPeer, { version, note }: PeerCode): LadderMethod {
+  const about = { id, title: `${title} ${version}`, scalar, exact: false, peer: true, part };
+  return note === undefined ? about : { ...about, note };
 }
 
 /** Times a peer on the n prepared inputs and compares its answers with the truth. */

@@ -46,6 +46,17 @@ test("after a run a peer is the last row, without a time of the book's", () => {
   assert.doesNotMatch(legend(drawHere(result.results)), /JavaScript/);
 });
 
+test("what must be known of a peer's times is said once, only if it has a row", () => {
+  const told = { ...peer, note: "its trees are built before" };
+  const legend = (/** @type {any[]} */ peers, /** @type {any[]} */ here) =>
+    ladderPicture(withPeers(result, peers, here), { here, pressable: true });
+  const twice = [told, { ...told, id: "four" }];
+  const rows = [...peerRows, ...peerRows.map((each) => ({ ...each, method: "four" }))];
+  assert.equal(legend(twice, rows).split("; its trees are built before").length, 2);
+  assert.doesNotMatch(legend(twice, result.results), /its trees/);
+  assert.doesNotMatch(legend([peer], peerRows), /; its trees/);
+});
+
 test("a peer that is wrong makes its column count wrong answers", () => {
   const heads = (/** @type {any[]} */ here) =>
     [...drawHere(here).querySelectorAll("th.family small")].map((each) => each.textContent);
