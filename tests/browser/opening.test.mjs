@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { describe, test } from "node:test";
-import { notRun, open, root } from "./browser.mjs";
+import { notRun, open, root, site } from "./browser.mjs";
 import { inBrowser } from "./in_browser.mjs";
 
 const skip = notRun();
@@ -158,6 +158,37 @@ describe("the scene that the page opens with", { skip }, () => {
     await again.press("Enter");
     await page.getByRole("button", { name: "Pause" }).waitFor();
     assert.ok((await clock(page)).time < 0.03);
+    assert.deepEqual(trouble, []);
+    await close();
+  });
+
+  test("it waits until it is built, and then appears without a picture behind it", async () => {
+    const built = fs.readFileSync(path.join(site, WHERE), "utf8");
+    const html = built.replace(
+      /(<contact-player[^>]*>.*?)<img[^>]*>/s,
+      '$1<p class="not-built">The scene player is still being built.</p>',
+    );
+    assert.notEqual(html, built);
+    let waiting = ["another", "20_scenes/scene_player"];
+    const { page, trouble, close } = await shown({ serviceWorkers: "block" });
+    await page.route("**/building.json*", (route) =>
+      route.fulfill({ json: { waiting, building: [] } }),
+    );
+    server.answer = (pathname, response) => {
+      if (pathname !== `/${WHERE}`) return false;
+      response.end(html);
+      return true;
+    };
+    await page.reload();
+    server.answer = undefined;
+    await page.getByText("This is not built yet: one other is before it.").waitFor();
+    assert.equal(await page.locator("contact-player .opening").count(), 0);
+    waiting = [];
+    const opening = await opened(page);
+    await after(page, 0);
+    assert.equal(await page.locator("contact-player .not-built").isVisible(), false);
+    const box = await opening.boundingBox();
+    assert.ok(box && Math.abs(box.width / box.height - 1.5) < 0.01, JSON.stringify(box));
     assert.deepEqual(trouble, []);
     await close();
   });
