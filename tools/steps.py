@@ -315,6 +315,10 @@ def _waiting_exercises() -> list[str]:
     return [name for name in found if name not in built]
 
 
+# The scene player, and the scene that its page opens with: one name takes both.
+_PLAYER = ("scenes/player.wasm", "scenes/opening.wasm")
+
+
 def _waiting_figures() -> list[str]:
     made = BUILD / "web"
     found = []
@@ -323,7 +327,7 @@ def _waiting_figures() -> list[str]:
         if not (made / "figures" / slug / f"{name}.wasm").is_file():
             found.append(f"{slug}/{name}")
     for scenes in ROOT.glob("chapters/*/scenes"):
-        if not (made / "scenes" / "player.wasm").is_file():
+        if not all((made / product).is_file() for product in _PLAYER):
             found.append(f"{scenes.parent.name}/scene_player")
     return found
 
@@ -348,7 +352,8 @@ def _build_figure(name: str) -> Done:
     done = _one_product("figures", name)
     if done.ok:
         player = name.endswith("/scene_player")
-        _beside_the_pages("scenes/player.wasm" if player else f"figures/{name}.wasm")
+        for product in _PLAYER if player else (f"figures/{name}.wasm",):
+            _beside_the_pages(product)
     return done
 
 

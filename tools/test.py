@@ -734,7 +734,9 @@ def page() -> Iterator[Check]:
 def without_player(tests: Iterable[Path]) -> list[Path]:
     """Where the scene player is not built in this turn, its tests wait too."""
     tested = page_parts.player_is_tested()
-    return [file for file in tests if tested or file.name != "scenes.test.mjs"]
+    return [
+        file for file in tests if tested or file.name not in ("scenes.test.mjs", "opening.test.mjs")
+    ]
 
 
 def wasm() -> Iterator[Check]:

@@ -9,7 +9,7 @@ import path from "node:path";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { inRoot, root, shown } from "./paths.mjs";
-import { playerProduct } from "./player.mjs";
+import { playerProducts } from "./player.mjs";
 import { makeAll } from "./pool.mjs";
 import { exerciseList, figures, isAskedFor, ladders } from "./products.mjs";
 import { isMade, key, made, prune, writeWhole } from "./recipes.mjs";
@@ -23,7 +23,7 @@ import { ship, toolchainRecipes } from "./toolchain.mjs";
  * @type {Record<string, () => Product[]>}
  */
 const kinds = {
-  figures: () => [...playerProduct(), ...figures()],
+  figures: () => [...playerProducts(), ...figures()],
   ladders,
   toolchain: () => [],
 };

@@ -1,10 +1,10 @@
 // The scene player: reader, planner and simulator of 20_scenes as one module for the page. Unlike a figure it is
-// given what a reader has typed, so it throws and catches.
+// given what a reader has typed, so it throws and catches. And its opening, a module of its own.
 import fs from "node:fs";
 import path from "node:path";
 import { moduleLink, quiet, studentFlags } from "./flags.mjs";
 import { inRoot } from "./paths.mjs";
-import { chapterFolders, exceptionRuntime } from "./products.mjs";
+import { chapterFolders, exceptionRuntime, figureRecipe } from "./products.mjs";
 
 /** @typedef {import('./recipes.mjs').Compile} Compile */
 
@@ -42,8 +42,20 @@ export function playerRecipe() {
   return { tool: "link", what: "the scene player", before, after: moduleLink.after, parts };
 }
 
-/** The player, if there are scenes to play. @returns {import('./products.mjs').Product[]} */
-export const playerProduct = () =>
-  fs.existsSync(inRoot("chapters", "20_scenes", "scenes"))
-    ? [{ name: "20_scenes/scene_player", output: "scenes/player.wasm", recipe: playerRecipe() }]
+/**
+ * The scene that a page opens with: small as a figure, since it is loaded without asking.
+ * @returns {import('./recipes.mjs').Recipe}
+ */
+export const openingRecipe = () =>
+  figureRecipe(inRoot("page", "player", "opening.cpp"), chapterFolders("20_scenes"));
+
+/** The player and its opening, if there are scenes to play: `--only 20_scenes/scene_player` takes both. @returns {import('./products.mjs').Product[]} */
+export const playerProducts = () => {
+  const name = "20_scenes/scene_player";
+  return fs.existsSync(inRoot("chapters", "20_scenes", "scenes"))
+    ? [
+        { name, output: "scenes/player.wasm", recipe: playerRecipe() },
+        { name: `${name}/opening`, output: "scenes/opening.wasm", recipe: openingRecipe() },
+      ]
     : [];
+};

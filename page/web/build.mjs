@@ -130,7 +130,7 @@ body[data-theme="dark"]{${dark}}
 contact-figure .stage{${drawingRules(ROLES)}}
 ${roles}
 ${levels}
-${["contact.css", "ladder.css", "exercise.css", "mine.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
+${["contact.css", "opening.css", "ladder.css", "exercise.css", "mine.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
 }
 
 /** The libraries inside the page's script, with their licences. */

@@ -70,7 +70,9 @@ function notBuilt() {
   return [
     ...new Set(figures.map(({ name }) => name)),
     ...ladders.filter((slug) => !isBuilt(`ladders/${slug}.wasm`)).map((slug) => `ladder ${slug}`),
-    ...(isBuilt("scenes/player.wasm") ? [] : ["20_scenes/scene_player"]),
+    ...(["player", "opening"].every((name) => isBuilt(`scenes/${name}.wasm`))
+      ? []
+      : ["20_scenes/scene_player"]),
   ];
 }
 

@@ -49,6 +49,13 @@ MISTAKES = [
         "unknown paragraph 'afar' in benchmarks/results/peers.small.txt; "
         "there is: far lines: ms each, near lines: ms each",
     ),
+    (
+        ":first: two_balls",
+        ":first: three_balls",
+        63,
+        "unknown scene 'three_balls' in chapters/01_lines/lesson.md, :first:; "
+        "there is: one_ball, two_balls",
+    ),
     ("\\norm{n}", "\\nrm{n}", 12, "mathematics: KaTeX parse error"),
 ]
 
@@ -97,6 +104,12 @@ def test_a_wrong_name_is_an_error_at_its_line(answers: str, line: int, message: 
             "misconceptions =",
             "misconception =",
             "unknown key 'misconception'; there is: breaks, brief, hints, inputs, kind, minutes, ",
+        ),
+        (
+            LESSON,
+            ":first: two_balls",
+            ":first: one_ball",
+            "the page opens with one_ball, but its picture is of two_balls",
         ),
     ],
 )

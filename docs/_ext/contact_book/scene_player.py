@@ -1,16 +1,20 @@
-"""`{scene-player}`: scenes to pick and to run in the page, over a picture of the first of them."""
+"""`{scene-player}`: scenes to pick and to run in the page, over a picture of the first of them.
+
+The page opens with that scene, moving; page/web/build.mjs draws its picture.
+"""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.directive import BookDirective
-from contact_book.errors import BookError
+from contact_book.errors import BookError, unknown
 from contact_book.html import attributes, base_path, can_run_scripts, json_script, renders, slots
 from contact_book.live_figure import size_of
 from contact_book.nodes import component, make_component, make_slot
@@ -26,10 +30,14 @@ def scenes_of(folder: Path) -> list[dict[str, str]]:
 
 
 class ScenePlayer(BookDirective):
-    """The argument is the chapter whose scenes it plays; by default the current chapter."""
+    """The argument is the chapter whose scenes it plays; by default the current chapter.
+
+    `:first:` names the scene that the page opens with; by default the first by name.
+    """
 
     optional_arguments = 1
     has_content = True
+    option_spec: ClassVar[dict[str, Any]] = {"first": directives.unchanged_required}
 
     def build(self) -> list[nodes.Node]:
         slug = self.arguments[0].strip() if self.arguments else self.here
@@ -39,6 +47,10 @@ class ScenePlayer(BookDirective):
         scenes = scenes_of(folder)
         if not scenes:
             raise BookError(f"chapters/{slug}/scenes has no scene")
+        names = [each["name"] for each in scenes]
+        first = self.options.get("first", names[0]).strip()
+        if first not in names:
+            raise unknown("scene", first, names, f"{self.source}, :first:")
         built = Path(self.config.contact_web) / "scenes"
         picture, facts = built / "first.svg", built / "first.json"
         self.depends(picture, facts, folder, *(folder / f"{each['name']}.json" for each in scenes))
@@ -46,12 +58,18 @@ class ScenePlayer(BookDirective):
         data: dict[str, Any] = {
             "slug": slug,
             "scenes": scenes,
-            "first": scenes[0]["name"],
+            "first": first,
             "describe": "",
             "size": None,
         }
         if facts.is_file() and picture.is_file():
-            data |= json.loads(facts.read_text(encoding="utf-8"))
+            drawn = json.loads(facts.read_text(encoding="utf-8"))
+            if drawn["first"] != first:
+                raise BookError(
+                    f"the page opens with {first}, but its picture is of {drawn['first']}: "
+                    "change :first:, or the scene that page/web/build.mjs draws"
+                )
+            data["describe"] = drawn["describe"]
             data["size"] = size_of(picture)
         else:
             self.missing_figure(f"the picture of the scene player is not built: {picture}")

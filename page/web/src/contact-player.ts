@@ -1,13 +1,16 @@
 // <contact-player name="20_scenes" base="…"><script type="application/json">{…}</script><img …></contact-player>
 //
-// The scene player. The picture inside is the fallback; "Start the scene player" puts the player in
-// its place. Only then are its script and its C++ (WebAssembly) loaded.
+// The scene player. The picture inside is the fallback. When it comes near the window, its scene is
+// loaded with C++ (WebAssembly) for scenes of this kind alone, and moves over the picture; if that
+// fails, the picture stays. "Start the scene player" puts the player in its place, with the same
+// scene: only then are its script and its own C++ loaded, which is fifty times as large.
 //
-// For other code on the page: `ready` (a promise, once it is started), `model`, and the event
-// `contact-change` after each picture.
+// For other code on the page: `opening` (a promise, once it comes near), `ready` (the same, once the
+// player is started), `model`, and the event `contact-change` after each picture of the player.
 
 import { button, html } from "./dom.ts";
 import { untilBuilt } from "./pending.ts";
+import type { Opening } from "./scenes/opening-view.ts";
 import type { Player } from "./scenes/player.ts";
 
 /** What the page says of the scenes that can be picked. */
@@ -19,7 +22,11 @@ export interface SceneList {
 
 export class ContactPlayer extends HTMLElement {
   #player: Player | undefined;
+  #moving: Opening | undefined;
+  /** Ends what waits for the opening. */
+  readonly #started = new AbortController();
   #built = false;
+  opening: Promise<void> | undefined;
   ready: Promise<void> = Promise.resolve();
 
   get model(): Player["model"] | undefined {
@@ -45,23 +52,83 @@ export class ContactPlayer extends HTMLElement {
       });
     });
     this.append(html("div", { class: "buttons starting" }, start, status));
+    this.#openWhenNear(list);
   }
 
   disconnectedCallback(): void {
+    this.#closeOpening();
     this.#player?.close();
   }
 
+  get #base(): string {
+    return new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
+  }
+
+  /** Where the scenes are. */
+  get #scenes(): string {
+    return `${this.#base}scenes/${this.getAttribute("name")}/`;
+  }
+
+  async #untilBuilt(say: (words: string) => void, signal?: AbortSignal): Promise<void> {
+    if (this.querySelector(":scope > .not-built"))
+      await untilBuilt(`${this.getAttribute("name")}/scene_player`, this.#base, say, signal);
+  }
+
+  #openWhenNear(list: SceneList): void {
+    const near = new IntersectionObserver(
+      (entries) => {
+        if (!entries.some((entry) => entry.isIntersecting)) return;
+        near.disconnect();
+        this.opening = this.#open(list);
+        this.opening.catch((error: unknown) => {
+          if (!this.#started.signal.aborted) console.warn("the player's opening scene:", error);
+        });
+      },
+      { rootMargin: "300px" },
+    );
+    near.observe(this);
+    this.#started.signal.addEventListener("abort", () => near.disconnect());
+  }
+
+  /** Shows the first scene moving, over its picture. */
+  async #open(list: SceneList): Promise<void> {
+    const { signal } = this.#started;
+    const missing = this.querySelector<HTMLElement>(":scope > .not-built");
+    await this.#untilBuilt((words) => {
+      if (missing && missing.textContent !== words) missing.textContent = words;
+    }, signal);
+    const { Opening } = await import("./scenes/opening-view.ts");
+    const scene = `${this.#scenes}${list.first}.json`;
+    const opening = await Opening.load(scene, `${this.#base}scenes/opening.wasm`);
+    if (signal.aborted) {
+      opening.close();
+      return;
+    }
+    this.#moving = opening;
+    const picture = this.querySelector(":scope > :is(img, .not-built)");
+    picture?.after(opening.element);
+    // What is behind it is said by it.
+    picture?.setAttribute("aria-hidden", "true");
+    if (missing) missing.hidden = true;
+    opening.shown();
+  }
+
+  #closeOpening(): void {
+    this.#started.abort();
+    this.#moving?.close();
+    this.#moving = undefined;
+    this.querySelector(":scope > img")?.removeAttribute("aria-hidden");
+  }
+
   async #start(list: SceneList, say: (words: string) => void): Promise<void> {
-    const base = new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
-    if (this.querySelector(".not-built"))
-      await untilBuilt(`${this.getAttribute("name")}/scene_player`, base, say);
+    await this.#untilBuilt(say);
     const { Player } = await import("./scenes/player.ts");
-    const scenes = `${base}scenes/${this.getAttribute("name")}/`;
-    const player = new Player(list, base, scenes, () =>
+    const player = new Player(list, this.#base, this.#scenes, () =>
       this.dispatchEvent(new CustomEvent("contact-change", { bubbles: true })),
     );
     await player.start();
     this.#player = player;
+    this.#closeOpening();
     this.querySelector(":scope > .starting")?.remove();
     this.append(player.element);
     this.toggleAttribute("live", true);

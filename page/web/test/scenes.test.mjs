@@ -22,6 +22,8 @@ const names = fs.readdirSync(folder).map((file) => path.basename(file, ".json"))
 let library;
 /** @type {typeof import("../src/scenes/model.ts")} */
 let models;
+/** @type {typeof import("../src/scenes/pace.ts")} */
+let paces;
 /** @type {typeof import("../src/scenes/picture.ts")} */
 let pictures;
 /** @type {import("../src/scenes/simulation.ts").Simulation} */
@@ -32,6 +34,7 @@ after(() => fs.rmSync(temporary, { recursive: true, force: true }));
 before(async () => {
   library = await load("scenes/simulation.ts");
   models = await load("scenes/model.ts");
+  paces = await load("scenes/pace.ts");
   pictures = await load("scenes/picture.ts");
   simulation = await library.Simulation.start(
     fs.readFileSync(path.join(root, "build", "web", "scenes", "player.wasm")),
@@ -228,12 +231,13 @@ test("the cost is that of the last pictures, of each run by itself", () => {
 });
 
 test("the clock: at most one picture's time is made up for, and the end is the end", () => {
-  const { nextTime, paceFor } = models;
+  const { nextTime, paceFor, watchablePace } = paces;
   assert.equal(nextTime(1, 0.01, 2, 100), 1.02);
   assert.equal(nextTime(1, 100, 3, 100), 1 + 3 / 30);
   assert.equal(nextTime(99.99, 1, 10, 100), 100);
   assert.equal(nextTime(1, -1, 10, 100), 1);
   assert.equal(paceFor(5), 1);
+  assert.equal(watchablePace(2), 0.25);
   for (const duration of [1e-3, 1 / 60, 0.3, 60, 3600]) {
     const seconds = duration / paceFor(duration);
     assert.ok(seconds > 1 && seconds < 30, `${duration} s in ${seconds} s`);

@@ -7,6 +7,10 @@ import type { Vec2, Vec3 } from "../numbers.ts";
 import type { Role } from "../scene.ts";
 import type { Body, Frame, SceneFacts } from "./messages.ts";
 
+/** What of a scene is drawn, and of a moment of its run. */
+type Drawn = Pick<SceneFacts, "gravity" | "bodies">;
+type Pose = Pick<Frame, "side" | "bodies">;
+
 export type Piece =
   | {
       readonly kind: "disc";
@@ -77,25 +81,25 @@ export interface Eye {
   readonly elevation: number;
 }
 
-const bodyAt = (frame: Frame, i: number): Vec3 => {
+const bodyAt = (frame: Pose, i: number): Vec3 => {
   const [x, y, z] = frame.bodies.subarray(7 * i);
   return [x!, y!, z!];
 };
-const turnOf = (frame: Frame, i: number): Float64Array =>
+const turnOf = (frame: Pose, i: number): Float64Array =>
   frame.bodies.subarray(7 * i + 3, 7 * i + 7);
 
 /** The bodies that have a size, by number. */
-const solid = (scene: SceneFacts): number[] =>
+const solid = (scene: Drawn): number[] =>
   [...scene.bodies.keys()].filter((i) => scene.bodies[i]!.shape.type !== "half_space");
 
 export class Picture {
-  readonly #scene: SceneFacts;
+  readonly #scene: Drawn;
   readonly #walls: readonly { normal: Vec3; offset: number }[];
   #bounds: Bounds;
   #eye: Eye;
-  #first: Frame;
+  #first: Pose;
 
-  constructor(scene: SceneFacts, first: Frame) {
+  constructor(scene: Drawn, first: Pose) {
     this.#scene = scene;
     this.#first = first;
     this.#walls = scene.bodies.flatMap(({ shape }) => (shape.type === "half_space" ? shape : []));
@@ -124,7 +128,7 @@ export class Picture {
   }
 
   /** All bodies as they are, and the nearest places of the half-spaces. */
-  #around(frame: Frame): Bounds {
+  #around(frame: Pose): Bounds {
     const low: [number, number, number] = [Infinity, Infinity, Infinity];
     const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
     const take = (point: Vec3, by: number): void => {
@@ -142,7 +146,7 @@ export class Picture {
   }
 
   /** Keeps what moves in the picture, as long as that is not all too far away. */
-  follow(frame: Frame): void {
+  follow(frame: Pose): void {
     const { low, high } = this.#bounds;
     const size = Math.hypot(...add(high, low, -1));
     const next = this.#around(frame);
@@ -157,7 +161,7 @@ export class Picture {
   }
 
   /** The runs at a moment, the first one filled and the second dashed, in pixels. */
-  pieces(frames: readonly Frame[], width: number, height: number): Piece[] {
+  pieces(frames: readonly Pose[], width: number, height: number): Piece[] {
     const azimuth = this.#eye.azimuth * DEGREE;
     const elevation = this.#eye.elevation * DEGREE;
     const toEye: Vec3 = [
@@ -231,7 +235,7 @@ export class Picture {
     });
   }
 
-  #body(i: number, frame: Frame, role: Role, ghost: boolean, view: Projection): Piece[] {
+  #body(i: number, frame: Pose, role: Role, ghost: boolean, view: Projection): Piece[] {
     const { shape } = this.#scene.bodies[i]!;
     const { flat, scale, toEye } = view;
     const at = bodyAt(frame, i);
@@ -273,7 +277,7 @@ export class Picture {
     }
   }
 
-  #hasTurned(i: number, frame: Frame): boolean {
+  #hasTurned(i: number, frame: Pose): boolean {
     const from = turnOf(this.#first, i);
     return turnOf(frame, i).some((part, k) => part !== from[k]);
   }

@@ -4,10 +4,11 @@
 import type { SceneList } from "../contact-player.ts";
 import { button, freshId, html, onceAFrame } from "../dom.ts";
 import { pretty } from "../numbers.ts";
-import type { Role } from "../scene.ts";
 import type { Frame, FromWorker, Side, ToWorker } from "./messages.ts";
-import { isMade, nextTime, PACES, PlayerModel, paceFor } from "./model.ts";
-import { Picture, paint } from "./picture.ts";
+import { isMade, PlayerModel } from "./model.ts";
+import { nextTime, PACES, paceFor } from "./pace.ts";
+import { Picture } from "./picture.ts";
+import { paintOn, whenRepainted } from "./stage.ts";
 
 const OWN = "own";
 const PATIENCE = 3000; // ms
@@ -179,17 +180,7 @@ export class Player {
 
   /** It stands in the page now. */
   shown(): void {
-    const observer = new ResizeObserver(() => this.#paint());
-    observer.observe(this.#canvas.parentElement!);
-    const themes = new MutationObserver(() => this.#paint());
-    themes.observe(document.body, { attributes: true, attributeFilter: ["data-theme"] });
-    const dark = matchMedia("(prefers-color-scheme: dark)");
-    dark.addEventListener("change", this.#paint);
-    this.#cleanUp.push(
-      () => observer.disconnect(),
-      () => themes.disconnect(),
-      () => dark.removeEventListener("change", this.#paint),
-    );
+    this.#cleanUp.push(whenRepainted(this.#canvas.parentElement!, this.#paint));
     this.#paint();
     this.#pick.focus({ preventScroll: true });
   }
@@ -533,25 +524,11 @@ export class Player {
   // The picture.
 
   #draw(): void {
-    const context = this.#canvas.getContext("2d");
-    if (!context || !this.element.isConnected) return;
+    if (!this.element.isConnected) return;
     const width = Math.max(200, this.#canvas.parentElement!.clientWidth);
     const height = Math.round(width / (width < 420 ? 1.1 : 1.5));
-    const fine = Math.min(devicePixelRatio, 2);
-    const wanted = [Math.round(width * fine), Math.round(height * fine)] as const;
-    if (this.#canvas.width !== wanted[0] || this.#canvas.height !== wanted[1])
-      [this.#canvas.width, this.#canvas.height] = wanted;
-    context.setTransform(fine, 0, 0, fine, 0, 0);
-    context.clearRect(0, 0, width, height);
-    if (!this.#picture) return;
-    const style = getComputedStyle(this.#canvas);
-    const colours = new Map<string, string>();
-    const colour = (role: Role | "paper"): string => {
-      const known = colours.get(role) ?? style.getPropertyValue(`--contact-${role}`).trim();
-      colours.set(role, known);
-      return known;
-    };
-    paint(context, this.#picture.pieces(this.model.frames, width, height), colour);
+    const pieces = this.#picture?.pieces(this.model.frames, width, height);
+    paintOn(this.#canvas, width, height, pieces ?? []);
   }
 
   #turn(azimuth: number, elevation: number): void {
