@@ -52,6 +52,11 @@ const Option& Option::one_value() const {
   return *this;
 }
 
+const Option& Option::values(int count) const {
+  option_->expected(count);
+  return *this;
+}
+
 const Option& Option::alone(const std::string& value) const {
   option_->expected(0, 1)->default_str(value);
   return *this;

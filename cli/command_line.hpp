@@ -34,6 +34,8 @@ class Option {
   const Option& separated_by(char separator) const;
   /// One value per use of an option that may be given several times.
   const Option& one_value() const;
+  /// So many values, each a word of its own.
+  const Option& values(int count) const;
   /// Its value may be missing: then it is this one.
   const Option& alone(const std::string& value) const;
   /// How help names its value.

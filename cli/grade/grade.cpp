@@ -24,6 +24,7 @@ using grading::Job;
 struct Options {
   grading::SessionSettings session;
   std::string autograder;
+  std::vector<std::string> why;  // of a student, in an exercise
   bool json = false;
 };
 
@@ -210,7 +211,26 @@ int pack_autograder(Context& context, const Options& options) {
   return result.exit_code;
 }
 
+// Tells what an instructor needs to answer a request for a regrade. It only reads.
+int tell_why(Context& context, const Options& options) {
+  grading::ProcessSpec spec = grading::report_module(context.book(), "reports.why");
+  if (!options.session.reports.due.empty())
+    spec.command.insert(spec.command.end(), {"--due", options.session.reports.due});
+  spec.command.emplace_back("--");
+  spec.command.push_back(fs::absolute(options.session.results).lexically_normal().string());
+  spec.command.insert(spec.command.end(), options.why.begin(), options.why.end());
+  const auto without_newline = [](std::string text) {
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
+  };
+  const grading::ProcessResult result = grading::run_process(context.loop(), spec);
+  if (!result.output.empty()) say(without_newline(result.output));
+  if (!result.errors.empty()) note(without_newline(result.errors));
+  return result.exit_code;
+}
+
 int run(Context& context, const Options& options) {
+  if (!options.why.empty()) return tell_why(context, options);
   if (!options.autograder.empty()) return pack_autograder(context, options);
   try {
     return grade(context, options);
@@ -260,6 +280,12 @@ void add_grade(Command app, Action& action) {
                   "Grade nothing: write FILE.zip, an autograder for Gradescope or PrairieLearn")
       .excludes(submissions)
       .excludes(output);
+  command
+      .add_option("--why", options->why,
+                  "Grade nothing: tell why STUDENT has this mark in EXERCISE, with all values")
+      .values(2)
+      .type_name("STUDENT EXERCISE")
+      .excludes(submissions);
   command.add_flag("--accept-weak", options->session.accept_weak,
                    "Grade although this machine cannot isolate submissions");
   command.add_flag("--recalibrate", options->session.recalibrate,
@@ -276,7 +302,7 @@ void add_grade(Command app, Action& action) {
       ": `contact grade FOLDER --output RESULTS` grades the submissions in FOLDER and writes the "
       "results and reports to the folder RESULTS.";
   command.callback([&action, options, usage] {
-    if (options->autograder.empty() && options->session.submissions.empty())
+    if (options->autograder.empty() && options->why.empty() && options->session.submissions.empty())
       throw MissingOption("A folder of submissions is required" + usage);
     if (options->autograder.empty() && options->session.results.empty())
       throw MissingOption("--output is required" + usage);

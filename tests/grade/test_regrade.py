@@ -255,3 +255,23 @@ def test_the_limits_of_time_stay(graded: Grader) -> None:
     assert graded.document(".grade/RUN.json")["test_seconds"][EXERCISE] == measured + 40
     graded.grade("--recalibrate")
     assert graded.document(".grade/RUN.json")["test_seconds"][EXERCISE] == measured
+
+
+def test_why_a_mark_is_what_it_is(graded: Grader) -> None:
+    done = graded.run_as("-o", str(graded.results), "--why", "bob", EXERCISE)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith(f"bob, {EXERCISE} ")
+    assert "seed s" in done.stdout
+    assert "The student's report shows all of this." in done.stdout
+    assert not (graded.results / "earlier").exists()
+
+
+def test_why_needs_the_results_and_no_submissions(graded: Grader) -> None:
+    without = graded.run_as("--why", "bob", EXERCISE)
+    assert without.returncode == 2
+    assert "--output is required" in without.stderr
+    both = graded.run_as(str(graded.submissions), "-o", "x", "--why", "bob", EXERCISE)
+    assert both.returncode == 2
+    nobody = graded.run_as("-o", str(graded.results), "--why", "eve", EXERCISE)
+    assert nobody.returncode == 3
+    assert "nobody is called eve" in nobody.stderr
