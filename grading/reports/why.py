@@ -72,12 +72,13 @@ def find(results: Results, student: str, exercise: str) -> Asked:
 def why(folder: Path, student: str, exercise: str, policy: Policy) -> str:
     """The whole text."""
     asked = find(read_results(folder), student, exercise)
-    parts = [head(asked), *circumstances(folder, asked.results), *outcome(asked)]
+    parts = [head(asked), circumstances(folder, asked.results), *outcome(asked)]
     if asked.unit.verdict:
         seen = {test.name: test for test in see_unit(asked.unit, asked.results, policy).tests}
         for test in asked.unit.verdict.tests:
             parts += test_lines(test, asked.exercise, seen.get(test.name))
     parts += history(folder, asked)
+    parts += limits(folder)
     return "\n".join(parts)
 
 
@@ -88,17 +89,24 @@ def head(asked: Asked) -> str:
     return f"{who.id}{name}, {asked.exercise.id} “{asked.exercise.title}”: {mark}"
 
 
-def circumstances(folder: Path, results: Results) -> Iterator[str]:
+def circumstances(folder: Path, results: Results) -> str:
     """When, with what and where it was graded; the seed is in results.json, which is secret."""
-    record = _json(folder / "run.json")
-    whole = _json(folder / "results.json")
-    when = clean_line(str(record.get("finished", "")))
-    yield f"Graded{f' {when}' if when else ''} by Contact Hours {results.version}, " + (
-        f"seed {clean_line(str(whole.get('seed')))}, isolation {results.machine.level}."
+    when = clean_line(str(_json(folder / "run.json").get("finished", "")))
+    seed = clean_line(str(_json(folder / "results.json").get("seed")))
+    return (
+        f"Graded{f' {when}' if when else ''} by Contact Hours {results.version}, "
+        f"seed {seed}, isolation {results.machine.level}."
     )
-    for name, limit in sorted(whole.get("limits", {}).items()):
-        if not isinstance(limit, dict | list):
-            yield f"{INDENT}limit {clean_line(str(name))}: {clean_line(str(limit))}"
+
+
+def limits(folder: Path) -> Iterator[str]:
+    """Those of the run, by name."""
+    given = _json(folder / "results.json").get("limits", {})
+    told = {name: value for name, value in given.items() if not isinstance(value, dict | list)}
+    if told:
+        yield "\nLimits:"
+    for name, value in sorted(told.items()):
+        yield f"{INDENT}{clean_line(str(name))}: {clean_line(str(value))}"
 
 
 def outcome(asked: Asked) -> Iterator[str]:
