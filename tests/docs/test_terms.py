@@ -106,7 +106,7 @@ def test_an_unknown_term_fails_the_build(sample: Sample) -> None:
     made = sample.make()
     assert made.returncode == 1
     assert "term not in glossary: 'Hess value'" in made.stderr
-    assert f"{LESSON}:68: WARNING: term not" in made.stderr
+    assert f"{LESSON}:69: WARNING: term not" in made.stderr
 
 
 def test_the_search_keeps_the_terms_of_pages_that_are_not_built_again(sample: Sample) -> None:
