@@ -193,7 +193,7 @@ describe("the scene that the page opens with", { skip }, () => {
     await close();
   });
 
-  test("the player takes its place, with the same scene", async () => {
+  test("the player replaces it, with the same scene", async () => {
     const { page, trouble, close } = await shown();
     const opening = await opened(page);
     const player = page.locator("contact-player");

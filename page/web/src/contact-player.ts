@@ -2,8 +2,8 @@
 //
 // The scene player. The picture inside is the fallback. When it comes near the window, its scene is
 // loaded with C++ (WebAssembly) for scenes of this kind alone, and moves over the picture; if that
-// fails, the picture stays. "Start the scene player" puts the player in its place, with the same
-// scene: only then are its script and its own C++ loaded, which is fifty times as large.
+// fails, the picture stays. "Start the scene player" replaces it with the player and the same
+// scene: only then are its script and its own, much larger C++ loaded.
 //
 // For other code on the page: `opening` (a promise, once it comes near), `ready` (the same, once the
 // player is started), `model`, and the event `contact-change` after each picture of the player.

@@ -18,10 +18,11 @@ void solve_impacts(const SteppedSetup& setup, SteppedState& state, Substep& subs
 ///
 /// All contacts that push are solved once more, from the velocities before they push. A pair leaves
 /// with e times its approach speed; if it were stopped first, bouncing would create energy.
-/// Momentum is conserved up to rounding. Energy does not grow: where it would, because gravity has
-/// changed the velocities for the whole substep and a contact has kept a body from moving that far,
-/// connected bodies get only a part of their bounce. Without gravity and friction energy is
-/// conserved at e = 1, except for residuals of the iterations.
+/// Momentum is conserved up to rounding. A bounce adds no energy: where it would, because gravity
+/// has changed the velocities for the whole substep and a contact has kept a body from moving that
+/// far, connected bodies get only a part of it. Contact forces between two impacts may still add
+/// some. Without gravity and friction energy is conserved at e = 1, except for residuals of the
+/// iterations.
 void solve_bounces(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 /// Bodies that have bounced are touching by now, and leave. A body that has rotated meanwhile keeps

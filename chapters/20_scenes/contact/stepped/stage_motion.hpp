@@ -108,8 +108,8 @@ void rotate_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& state,
 inline constexpr int position_iterations = 8;
 
 /// Removes overlaps of hard bodies, by moving the two of each apart along their normal, the lighter
-/// one farther. A body that is lifted against gravity by this pays with its kinetic energy, as far
-/// as it has any; one that is lowered gains as much.
+/// one farther. A body that is lifted against gravity by this pays with its kinetic energy, and one
+/// that is lowered gains as much, unless its kinetic energy is smaller than that.
 ///
 /// Rotation causes such overlaps, because contacts hold the points where bodies touch, and these
 /// move. So do residuals of the iterations.
