@@ -9,8 +9,9 @@
 #include <cmath>
 #include <contact/aabb.hpp>
 #include <contact/box_tree.hpp>
+#include <contact/difference_determinant.hpp>
 #include <contact/vector.hpp>
-#include <contact/wide_tree.hpp>
+#include <contact/wide_line.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -107,7 +108,8 @@ struct QuadMap {
   std::array<std::array<float, 3>, 2> offset{};  ///< [low, high][axis]
 
   QuadMap(const WideFrame& from, const WideFrame& to) {
-    rate = static_cast<float>(power_of_two(std::max(from.exponent - to.exponent, -100)));
+    rate = static_cast<float>(
+        difference_detail::power_of_two(std::max(from.exponent - to.exponent, -100)));
     for (std::size_t k = 0; k < 3; ++k) {
       const int axis = static_cast<int>(k);
       const double half = from.centre[axis] / 2 - to.centre[axis] / 2;

@@ -67,8 +67,9 @@ namespace detail {
 /// The longest path from the root to a leaf is less than this.
 inline constexpr int box_tree_depth = 96;
 
-/// Four floats, of which the last is not used: loops over four become one instruction each.
-using FourFloats = std::array<float, 4>;
+/// Four floats, of which the last is not used: one instruction computes with all of them.
+using FourFloats [[gnu::vector_size(16)]] = float;
+using FourIntegers [[gnu::vector_size(16)]] = int;
 
 /// A box while the tree is built, in float, moved and scaled to about [−1, 1].
 ///
@@ -80,15 +81,11 @@ struct alignas(16) BuildBox {
   FourFloats high{-infinity, -infinity, -infinity, -infinity};
 
   void add(FourFloats lower, FourFloats upper) {
-    for (std::size_t k = 0; k < 4; ++k) low[k] = lower[k] < low[k] ? lower[k] : low[k];
-    for (std::size_t k = 0; k < 4; ++k) high[k] = upper[k] > high[k] ? upper[k] : high[k];
+    low = lower < low ? lower : low;
+    high = upper > high ? upper : high;
   }
   void add(const BuildBox& box) { add(box.low, box.high); }
-  FourFloats twice_centre() const {
-    FourFloats sum;
-    for (std::size_t k = 0; k < 4; ++k) sum[k] = low[k] + high[k];
-    return sum;
-  }
+  FourFloats twice_centre() const { return low + high; }
   /// Half of its surface; NaN for an empty box.
   float half_surface() const {
     const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
@@ -137,13 +134,11 @@ class BoxTreeBuilder {
         scale[k] = width > 0x1p-100f ? bins / width : 0.0f;
       }
     }
-    std::array<int, 4> bins(const BuildBox& box) const {
-      const FourFloats centre = box.twice_centre();
-      std::array<int, 4> bin;
-      // The maximum is 0 for NaN, so that also a box that is not finite has a bin.
-      for (std::size_t k = 0; k < 4; ++k)
-        bin[k] = static_cast<int>(std::max(0.0f, (centre[k] - from[k]) * scale[k]));
-      return bin;
+    FourIntegers bins(const BuildBox& box) const {
+      const FourFloats at = (box.twice_centre() - from) * scale;
+      // 0 for NaN, so that also a box that is not finite has a bin.
+      const FourFloats bin = at > 0 ? at : FourFloats{};
+      return __builtin_convertvector(bin, FourIntegers);
     }
   };
 
@@ -191,7 +186,7 @@ class BoxTreeBuilder {
     }
     for (std::size_t i = begin; i < end; ++i) {
       const BuildBox box = boxes_[i];
-      const std::array<int, 4> bins = binning.bins(box);
+      const FourIntegers bins = binning.bins(box);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto b = static_cast<std::size_t>(bins[k]);
         boxes[k][b].add(box);
@@ -291,6 +286,44 @@ BoxHierarchy<S> build_box_hierarchy(std::span<const Aabb<S>> boxes, std::span<co
   return detail::BoxTreeBuilder<S>(boxes, items, max_leaf).take();
 }
 // [/build-box-tree]
+
+namespace detail {
+
+/// Up to four nodes that have the same items as one.
+struct Descendants {
+  std::array<std::size_t, 4> node{};
+  std::size_t count = 0;
+};
+
+/// The children of a node, of which that with the largest surface is replaced by its own, twice;
+/// or the node itself if it is a leaf.
+template <FloatOrDouble S>
+Descendants four_descendants(const BoxHierarchy<S>& tree, std::size_t root, double scale) {
+  Descendants below{{root}, 1};
+  const auto surface = [&](std::size_t n) {
+    const Aabb<S>& box = tree.nodes[n].box;  // halves cannot overflow
+    const Vector3<double> size = (box.high / S(2) - box.low / S(2)).template cast<double>() * scale;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  };
+  while (below.count < 4) {
+    std::size_t widest = 4;
+    double most = -1;
+    for (std::size_t i = 0; i < below.count; ++i) {
+      const std::size_t n = below.node[i];
+      if (tree.nodes[n].count == 0 && surface(n) > most) {
+        most = surface(n);
+        widest = i;
+      }
+    }
+    if (widest == 4) break;
+    const auto child = static_cast<std::size_t>(tree.nodes[below.node[widest]].first);
+    below.node[widest] = child;
+    below.node[below.count++] = child + 1;
+  }
+  return below;
+}
+
+}  // namespace detail
 
 // [hierarchy-cost]
 /// How many nodes below the root a cube is expected to meet, rounded, if its centre is uniformly

@@ -150,7 +150,9 @@ class MeshLine {
     };
     const auto sign = [&](Determinant which) {
       const int certain = evaluate(x, which, bounded_volume).certain_sign();
-      return certain != 0 ? certain : exactly(which).sign();
+      if (certain != 0) return certain;
+      const std::optional<int> quick = quick_sign(line_, triangle, which);
+      return quick ? *quick : exactly(which).sign();
     };
     MeshMeeting met;
     int side = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <contact/difference_determinant.hpp>
 #include <contact/exact.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/passage.hpp>
@@ -13,6 +14,7 @@
 #include <contact/vector.hpp>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace contact::detail {
 
@@ -43,6 +45,62 @@ LineAndTriangle<T> differences_of(const Line& line, const Triangle<double>& tria
     x.direction = as(line.direction);
   }
   return x;
+}
+
+/// The sign of a determinant of a query, in integers of fixed size: much faster than `Exact`.
+/// Nothing if its numbers span too many bits.
+template <class Line>
+std::optional<int> quick_sign(const Line& line, const Triangle<double>& triangle,
+                              Determinant which) {
+  difference_detail::Differences<9> rows;
+  const auto set = [&rows](std::size_t row, const Vector3<double>& to,
+                           const Vector3<double>& from) {
+    for (int k = 0; k < 3; ++k) {
+      rows.set(3 * row + static_cast<std::size_t>(k), to[k], from[k]);
+    }
+  };
+  const Vector3<double> start = start_of(line);
+  const auto& [a, b, c] = triangle;
+  const auto direction = [&] {
+    if constexpr (has_end<Line>) {
+      set(0, line.end, start);
+    } else {
+      set(0, line.direction, Vector3<double>::Zero());
+    }
+  };
+  const auto edge = [&](const Vector3<double>& second, const Vector3<double>& third) {
+    direction();
+    set(1, second, start);
+    set(2, third, start);
+  };
+  const auto plane = [&] {
+    set(1, b, a);
+    set(2, c, a);
+  };
+  switch (which) {
+    case Determinant::of_a:
+      edge(b, c);
+      break;
+    case Determinant::of_b:
+      edge(c, a);
+      break;
+    case Determinant::of_c:
+      edge(a, b);
+      break;
+    case Determinant::start:
+      set(0, a, start);
+      plane();
+      break;
+    case Determinant::end:
+      if constexpr (has_end<Line>) set(0, a, line.end);
+      plane();
+      break;
+    case Determinant::denominator:
+      direction();
+      plane();
+      break;
+  }
+  return difference_detail::determinant_sign(rows);
 }
 
 /// A determinant without error.

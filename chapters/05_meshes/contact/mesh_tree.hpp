@@ -9,12 +9,14 @@
 #include <contact/box_quads.hpp>
 #include <contact/box_tree.hpp>
 #include <contact/exact_ray_triangle.hpp>
+#include <contact/four_triangles.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/mesh.hpp>
 #include <contact/mesh_hits.hpp>
 #include <contact/ray_triangle.hpp>
 #include <contact/shapes.hpp>
 #include <contact/vector.hpp>
+#include <contact/wide_line.hpp>
 #include <contact/wide_tree.hpp>
 #include <cstddef>
 #include <optional>
@@ -65,12 +67,12 @@ class MeshTree {
       items.push_back(static_cast<int>(i));
     }
     tree_ = build_box_hierarchy<S>(boxes, items, max_leaf);
-    wide_ = detail::WideTree(tree_);
     quads_ = detail::BoxQuads(tree_, std::span<const Aabb<S>>(boxes));
     triangles_.reserve(tree_.order.size());
     for (const int i : tree_.order) {
       triangles_.push_back(triangle_of(mesh_, static_cast<std::size_t>(i)));
     }
+    wide_ = detail::WideTree(tree_, std::span<const Triangle<S>>(triangles_));
   }
 
   /// The mesh as given.
@@ -170,25 +172,28 @@ class MeshTree {
                     const Each& each) const {
     if (!line.meets_any()) return;
     const detail::WideLine wide = detail::wide_line(line.line(), wide_.frame());
-    const auto test = [&](int first, int count, float& last) {
-      if (counts != nullptr) counts->triangles += static_cast<std::size_t>(count);
-      for (int i = first; i < first + count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        std::optional<detail::MeshMeeting> met = line.meet(in_double(triangles_[at]));
-        if (!met) continue;
-        met->triangle = tree_.order[at];
-        double latest = -1;
-        if (each(Found{*met, at}, latest)) return true;
-        if (latest >= 0) last = std::min(last, wide.after(latest));
-      }
+    float no_last = 0;
+    const auto test = [&](std::size_t at, float& last) {
+      std::optional<detail::MeshMeeting> met = line.meet(in_double(triangles_[at]));
+      if (!met) return false;
+      met->triangle = tree_.order[at];
+      double latest = -1;
+      if (each(Found{*met, at}, latest)) return true;
+      if (latest >= 0) last = std::min(last, wide.after(latest));
       return false;
     };
-    float last = 0;
-    if (wide.tame) {
-      wide_.walk(wide, test, counts == nullptr ? nullptr : &counts->boxes);
-    } else {
-      test(0, static_cast<int>(triangles_.size()), last);
+    if (!wide.tame) {
+      if (counts != nullptr) counts->triangles += triangles_.size();
+      for (std::size_t at = 0; at < triangles_.size() && !test(at, no_last); ++at) continue;
+      return;
     }
+    const auto test_leaf = [&](const detail::FourTriangles& leaf, float& last) {
+      if (counts != nullptr) counts->triangles += static_cast<std::size_t>(leaf.count);
+      return detail::each_bit(detail::possible_hits(leaf, wide), [&](std::size_t i) {
+        return test(static_cast<std::size_t>(leaf.first) + i, last);
+      });
+    };
+    wide_.walk(wide, test_leaf, counts == nullptr ? nullptr : &counts->boxes);
   }
 
   template <class Line>
