@@ -92,8 +92,10 @@ def build(options: argparse.Namespace) -> int:
         steps.say("Doxygen: " + documented.result())
     before = page_names(made / "docs-src")
     written = stage(book, root / "docs", made / "docs-src", api=not options.skip_api)
-    # Every page's sidebar names all pages.
+    # Every page's sidebar names all pages. And if an earlier run was stopped before it wrote its
+    # search index, Sphinx has read the pages but would index only those that it writes now.
     every_page = page_names(made / "docs-src") != before
+    every_page |= kind == "site" and not (site / "searchindex.js").exists()
     steps.say(f"pages changed: {', '.join(written) or 'none'}")
     environment = os.environ | {
         "CONTACT_BOOK_ROOT": str(root),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 
 import pytest
@@ -47,6 +48,18 @@ def test_a_chapter_is_found_by_its_folder_and_gone_with_it(sample: Sample) -> No
     shutil.rmtree(folder)
     assert sample.make("--skip-api").returncode == 0
     assert "02_more" not in sample.page("index.html")
+
+
+def test_a_build_that_was_stopped_before_its_search_index_is_completed(sample: Sample) -> None:
+    assert sample.make("--skip-api").returncode == 0
+    index = sample.build / "site" / "searchindex.js"
+    whole = index.read_text("utf-8")
+    index.unlink()
+    sample.edit("chapters/01_lines/contact/line.hpp", "The first coefficient", "What x is times")
+    made = sample.make("--skip-api")
+    assert made.returncode == 0, made.stderr
+    pages = re.compile(r'"?docnames"?: ?\[(.*?)\]')
+    assert pages.findall(index.read_text("utf-8")) == pages.findall(whole) != []
 
 
 def test_what_a_lesson_names_of_the_code_is_linked_when_its_page_is_there(sample: Sample) -> None:
