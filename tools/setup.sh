@@ -362,7 +362,10 @@ setup() {
     fi
   fi
   setup_venv docs venv
-  [ "$setup_level" = program ] || setup_npm page
+  if [ "$setup_level" != program ]; then
+    setup_venv page venv-page
+    setup_npm page
+  fi
   if [ "$setup_level" = benchmarks ]; then
     setup_venv benchmarks venv-benchmarks
     setup_npm benchmarks

@@ -18,7 +18,7 @@ let found;
 /** The program and its version: of the Python package, as ./contact setup installs it. */
 function native() {
   if (found) return found;
-  const lib = inRoot("build", "venv", "lib");
+  const lib = inRoot("build", "venv-page", "lib");
   for (const python of fs.existsSync(lib) ? fs.readdirSync(lib) : []) {
     const packages = path.join(lib, python, "site-packages");
     if (!fs.existsSync(path.join(packages, packageName))) continue;
@@ -28,7 +28,7 @@ function native() {
     found = { program: path.join(packages, packageName, "zig"), version };
     return found;
   }
-  throw new Error(`${packageName} is not in build/venv: run ./contact setup`);
+  throw new Error(`${packageName} is not in build/venv-page: run ./contact setup`);
 }
 
 /** @returns {string} */

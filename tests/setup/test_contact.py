@@ -31,6 +31,7 @@ def clone(tmp_path: Path) -> Path:
         "page/package.json",
         "page/package-lock.json",
         "docs/requirements.txt",
+        "page/requirements.txt",
         "benchmarks/package.json",
         "benchmarks/package-lock.json",
         "benchmarks/requirements.txt",
@@ -74,10 +75,11 @@ def commands_without(folder: Path, *absent: str) -> Path:
 def set_up(folder: Path, what: str) -> None:
     """Makes the script believe that the Python or npm packages are there already."""
     if what == "python":
-        (folder / "build/venv/bin").mkdir(parents=True)
-        (folder / "build/venv/bin/python").symlink_to(sys.executable)
-        stamp = folder / "build/venv/contact-requirements.txt"
-        shutil.copy2(folder / "docs/requirements.txt", stamp)
+        for pins, venv in (("docs", "build/venv"), ("page", "build/venv-page")):
+            (folder / venv / "bin").mkdir(parents=True)
+            (folder / venv / "bin/python").symlink_to(sys.executable)
+            stamp = folder / venv / "contact-requirements.txt"
+            shutil.copy2(folder / pins / "requirements.txt", stamp)
 
 
 @pytest.mark.parametrize("shell", SHELLS)
@@ -391,12 +393,13 @@ setup_cargo_reads benchmarks/crates && setup_cargo_reads benchmarks/crates/box2d
     ("level", "expected"),
     [
         ("program", ["venv docs venv"]),
-        ("book", ["venv docs venv", "npm page"]),
-        ("test", ["venv docs venv", "npm page"]),
+        ("book", ["venv docs venv", "venv page venv-page", "npm page"]),
+        ("test", ["venv docs venv", "venv page venv-page", "npm page"]),
         (
             "benchmarks",
             [
                 "venv docs venv",
+                "venv page venv-page",
                 "npm page",
                 "venv benchmarks venv-benchmarks",
                 "npm benchmarks",
