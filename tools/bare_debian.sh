@@ -2,10 +2,11 @@
 # Proves the set-up on a machine that has nothing: makes a bare Debian in a folder, clones this repository into it, and
 # runs one command of ./contact there. By hand and before a release; it takes a network, root and some 6 GB.
 #
-#   tools/bare_debian.sh [--release 12|13] [--minutes N] [--user] [--folder DIR] [--keep] [ARGUMENTS OF ./contact]
+#   tools/bare_debian.sh [--release 12|13] [--minutes N] [--user | --container] [--folder DIR] [--keep]
+#                        [ARGUMENTS OF ./contact]
 #
-# Without arguments it runs ./contact test. --user runs as a user with sudo instead of as root. --keep leaves the
-# folder; a kept folder given again with --folder is used again, with a new clone. Servers, proxies and certificates
+# Without arguments it runs ./contact test. --user runs as a user with sudo instead of as root. --container first does what
+# .devcontainer does: its install.sh as root, then its onCreateCommand as the user that it makes. --keep leaves the folder; a kept folder given again with --folder is used again, with a new clone. Servers, proxies and certificates
 # are those that this machine's own apt is configured with. Mounts are made in a namespace of their own, so nothing
 # outside the folder is touched and nothing stays mounted. Ubuntu is not offered: it has an archive of its own.
 set -eu
@@ -16,6 +17,7 @@ minutes=90
 user=root
 folder=''
 keep=no
+container=no
 
 fail() {
   printf 'bare_debian: %s\n' "$*" >&2
@@ -28,6 +30,7 @@ while [ $# -gt 0 ]; do
     --minutes) minutes=${2-} && shift 2 ;;
     --folder) folder=${2-} && shift 2 ;;
     --user) user=reader && shift ;;
+    --container) container=yes && user=reader && shift ;;
     --keep) keep=yes && shift ;;
     -h | --help) sed -n '2,/^set/s/^# \{0,1\}//p' "$0" && exit 0 ;;
     --) shift && break ;;
@@ -61,7 +64,11 @@ if [ "${CONTACT_BARE_INSIDE-}" != yes ]; then
   export CONTACT_BARE_INSIDE
   set -- --release "$release" --minutes "$minutes" -- "$@"
   [ "$keep" = no ] || set -- --keep "$@"
-  [ "$user" = root ] || set -- --user "$@"
+  if [ "$container" = yes ]; then
+    set -- --container "$@"
+  elif [ "$user" != root ]; then
+    set -- --user "$@"
+  fi
   [ -z "$folder" ] || set -- --folder "$folder" "$@"
   exec unshare --mount --pid --fork --kill-child --propagation private "$root/tools/bare_debian.sh" "$@"
 fi
@@ -128,8 +135,21 @@ inside() {
     pivot_root . .outside && umount -l /.outside && exec chroot . "$@"' sh "$folder" "$@"
 }
 
+# A clean environment, except for the network settings.
+kept_environment=$(env | grep -E '^(https?_proxy|HTTPS?_PROXY|no_proxy|NO_PROXY|PIP_CERT|PIP_INDEX_URL|PIP_DEFAULT_TIMEOUT|NODE_EXTRA_CA_CERTS|SSL_CERT_FILE|npm_config_registry)=' || true)
+
 home=/root
-if [ "$user" != root ]; then
+if [ "$container" = yes ]; then
+  rm -rf "$folder/opt/contact-hours"
+  git clone -q --no-hardlinks "$root" "$folder/opt/contact-hours"
+  # shellcheck disable=SC2086 # NAME=value words, none with spaces
+  inside env $kept_environment /opt/contact-hours/.devcontainer/install.sh > "$folder/var/log/image.log" 2>&1 || {
+    tail -n 15 "$folder/var/log/image.log"
+    fail "the image's steps failed"
+  }
+  rm -rf "$folder/opt/contact-hours"
+  home=/home/$user
+elif [ "$user" != root ]; then
   home=/home/$user
   inside sh -c "command -v sudo > /dev/null || { apt-get -qq update && apt-get -qq -y install sudo > /dev/null; }
     id $user > /dev/null 2>&1 || useradd --create-home $user
@@ -142,15 +162,24 @@ git clone -q --no-hardlinks "$root" "$folder$home/contact-hours"
 
 printf 'Made in %s s. Commit %s. Running there, as %s: ./contact %s\n' "$(($(seconds) - began))" \
   "$(git -C "$root" rev-parse --short HEAD)" "$user" "$*"
-# A clean environment, except for the network settings.
-kept_environment=$(env | grep -E '^(https?_proxy|HTTPS?_PROXY|no_proxy|NO_PROXY|PIP_CERT|PIP_INDEX_URL|PIP_DEFAULT_TIMEOUT|NODE_EXTRA_CA_CERTS|SSL_CERT_FILE|npm_config_registry)=' || true)
 log=$folder/var/log/contact-hours.log
+# Runs ./contact there, with the arguments given.
+contact_there() {
+  # shellcheck disable=SC2086 # NAME=value words, none with spaces
+  inside timeout --kill-after=30 "$((minutes * 60))" su "$user" -s /bin/sh -c \
+    'cd ~/contact-hours && exec env "$@"' -- sh -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+    HOME="$home" LANG=C.UTF-8 $kept_environment ./contact "$@" < /dev/null
+}
 began=$(seconds)
 code=0
-# shellcheck disable=SC2086 # NAME=value words, none with spaces
-inside timeout --kill-after=30 "$((minutes * 60))" su "$user" -s /bin/sh -c \
-  'cd ~/contact-hours && exec env "$@"' -- sh -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-  HOME="$home" LANG=C.UTF-8 $kept_environment ./contact "$@" > "$log" 2>&1 < /dev/null || code=$?
+if [ "$container" = yes ]; then
+  created=$(sed -n 's/^ *"onCreateCommand": "\.\/contact \(.*\)",$/\1/p' "$root/.devcontainer/devcontainer.json")
+  # shellcheck disable=SC2086 # its words
+  contact_there $created > "$log" 2>&1 || fail "./contact $created failed there: $(tail -n 5 "$log")"
+  printf 'The container is up after %s s more (./contact %s)\n' "$(($(seconds) - began))" "$created"
+  began=$(seconds)
+fi
+contact_there "$@" > "$log" 2>&1 || code=$?
 took=$(($(seconds) - began))
 printf -- '--- last lines\n'
 tail -n 40 "$log"
