@@ -92,8 +92,8 @@ INSTANTIATED(std::string);
 INSTANTIATED(std::vector<std::string>);
 #undef INSTANTIATED
 
-void Command::add_flag(const std::string& names, bool& value, const std::string& what) const {
-  app_->add_flag(names, value, what);
+Option Command::add_flag(const std::string& names, bool& value, const std::string& what) const {
+  return Option(app_->add_flag(names, value, what));
 }
 
 void Command::callback(const std::function<void()>& chosen) const {

@@ -59,7 +59,7 @@ class Command {
   /// Instantiated in command_line.cpp for the types that are used.
   template <class T>
   Option add_option(const std::string& names, T& value, const std::string& what) const;
-  void add_flag(const std::string& names, bool& value, const std::string& what) const;
+  Option add_flag(const std::string& names, bool& value, const std::string& what) const;
   /// Run when the command was chosen and its options are read.
   void callback(const std::function<void()>& chosen) const;
   /// One of the commands under it must be named.

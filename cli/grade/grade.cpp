@@ -25,6 +25,7 @@ struct Options {
   grading::SessionSettings session;
   std::string autograder;
   std::vector<std::string> why;  // of a student, in an exercise
+  bool similar = false;
   bool json = false;
 };
 
@@ -211,14 +212,8 @@ int pack_autograder(Context& context, const Options& options) {
   return result.exit_code;
 }
 
-// Tells what an instructor needs to answer a request for a regrade. It only reads.
-int tell_why(Context& context, const Options& options) {
-  grading::ProcessSpec spec = grading::report_module(context.book(), "reports.why");
-  if (!options.session.reports.due.empty())
-    spec.command.insert(spec.command.end(), {"--due", options.session.reports.due});
-  spec.command.emplace_back("--");
-  spec.command.push_back(fs::absolute(options.session.results).lexically_normal().string());
-  spec.command.insert(spec.command.end(), options.why.begin(), options.why.end());
+// Runs a report that is not of the results alone, and passes on what it says.
+int pass_on(Context& context, const grading::ProcessSpec& spec) {
   const auto without_newline = [](std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text;
@@ -229,8 +224,31 @@ int tell_why(Context& context, const Options& options) {
   return result.exit_code;
 }
 
+std::string results_of(const Options& options) {
+  return fs::absolute(options.session.results).lexically_normal().string();
+}
+
+// Tells what an instructor needs to answer a request for a regrade. It only reads.
+int tell_why(Context& context, const Options& options) {
+  grading::ProcessSpec spec = grading::report_module(context.book(), "reports.why");
+  if (!options.session.reports.due.empty())
+    spec.command.insert(spec.command.end(), {"--due", options.session.reports.due});
+  spec.command.insert(spec.command.end(), {"--", results_of(options)});
+  spec.command.insert(spec.command.end(), options.why.begin(), options.why.end());
+  return pass_on(context, spec);
+}
+
+// Writes which answers are alike where few others are.
+int tell_similar(Context& context, const Options& options) {
+  grading::ProcessSpec spec = grading::report_module(context.book(), "reports.similar");
+  spec.command.insert(spec.command.end(),
+                      {"--", results_of(options), context.book().root().string()});
+  return pass_on(context, spec);
+}
+
 int run(Context& context, const Options& options) {
   if (!options.why.empty()) return tell_why(context, options);
+  if (options.similar) return tell_similar(context, options);
   if (!options.autograder.empty()) return pack_autograder(context, options);
   try {
     return grade(context, options);
@@ -286,6 +304,10 @@ void add_grade(Command app, Action& action) {
       .values(2)
       .type_name("STUDENT EXERCISE")
       .excludes(submissions);
+  command
+      .add_flag("--similar", options->similar,
+                "Grade nothing: list answers that are alike where few others are")
+      .excludes(submissions);
   command.add_flag("--accept-weak", options->session.accept_weak,
                    "Grade although this machine cannot isolate submissions");
   command.add_flag("--recalibrate", options->session.recalibrate,
@@ -302,7 +324,8 @@ void add_grade(Command app, Action& action) {
       ": `contact grade FOLDER --output RESULTS` grades the submissions in FOLDER and writes the "
       "results and reports to the folder RESULTS.";
   command.callback([&action, options, usage] {
-    if (options->autograder.empty() && options->why.empty() && options->session.submissions.empty())
+    const bool grades = options->autograder.empty() && options->why.empty() && !options->similar;
+    if (grades && options->session.submissions.empty())
       throw MissingOption("A folder of submissions is required" + usage);
     if (options->autograder.empty() && options->session.results.empty())
       throw MissingOption("--output is required" + usage);
