@@ -54,6 +54,9 @@ void add_dev(Command app, Action& action);
 /// Under `dev`: grading, one unit at a time.
 void add_dev_grade(Command dev, Action& action);
 
+/// What a reader types before a command: "./contact", and in a pack --pack with its folder.
+std::string program_as_typed();
+
 /// Copies the pristine stub to the student's folder unless a copy is there. Returns whether it made
 /// one.
 bool start_exercise(const grading::Book& book, const grading::Exercise& exercise);

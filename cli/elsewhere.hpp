@@ -30,7 +30,8 @@ inline constexpr Elsewhere simulate_command{
     "Runs scenes as their plans decide: by a formula, from event to event, or step by step",
     "contact-scenes"};
 inline constexpr Elsewhere new_command{
-    "new", "For authors: create the folders of a chapter or an exercise", "contact-authors"};
+    "new", "For authors: create the folders of a chapter, an exercise or a pack",
+    "contact-authors"};
 inline constexpr Elsewhere where_command{
     "where", "List the files of an exercise or a chapter, relative to the root", "contact-authors"};
 inline constexpr Elsewhere doctor_command{

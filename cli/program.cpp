@@ -3,6 +3,7 @@
 #include <csignal>
 #include <exception>
 
+#include "../grading/book/pack.hpp"
 #include "terminal/terminal.hpp"
 
 namespace contact::cli {
@@ -15,6 +16,8 @@ const grading::Book& Context::book() {
 void Context::reread_book() {
   const std::filesystem::path root = grading::find_root();
   book_ = std::make_unique<grading::Book>(root, grading::find_work(root));
+  if (const std::filesystem::path pack = grading::find_pack(); !pack.empty())
+    book_ = grading::open_pack(pack, std::move(book_), program_version());
 }
 
 grading::Loop& Context::loop() {
@@ -37,11 +40,18 @@ constexpr const char* footer =
     "  3    the set-up, the book's own files or an archive must be corrected first\n"
     "  130  Ctrl-C\n"
     "\n"
-    "CONTACT_WORK is the folder of your copies (work/ if unset); CONTACT_MEMORY_MB limits your "
+    "CONTACT_PACK is the folder of a pack, as ./contact --pack DIR sets it; CONTACT_WORK is the "
+    "folder "
+    "of your\ncopies (work/ if unset); CONTACT_MEMORY_MB limits your "
     "program's memory\n"
     "(1024 if unset); NO_COLOR turns colour off.";
 
 }  // namespace
+
+std::string program_as_typed() {
+  const std::filesystem::path pack = grading::find_pack();
+  return pack.empty() ? "./contact" : "./contact --pack " + quoted_for_shell(pack.string());
+}
 
 const char* program_version() { return CONTACT_VERSION; }
 

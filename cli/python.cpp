@@ -5,7 +5,7 @@ namespace fs = std::filesystem;
 namespace contact::cli {
 
 fs::path python_of(const grading::Book& book) {
-  const fs::path python = book.root() / "build" / "venv" / "bin" / "python";
+  const fs::path python = book.book_root() / "build" / "venv" / "bin" / "python";
   return fs::exists(python) ? python : fs::path("python3");
 }
 

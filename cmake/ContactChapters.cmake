@@ -1,9 +1,15 @@
-# chapters/NN_slug/ is the only registry: a chapter is whatever folder there has a chapter.toml.
+# chapters/NN_slug/ is the only registry: a chapter is whatever folder there has a chapter.toml. With CONTACT_PACK, the
+# chapters of the pack follow those of the book.
 
 # Sets CONTACT_CHAPTERS to the folders' names, in order.
 macro(contact_find_chapters)
   file(GLOB _tomls CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/*/chapter.toml")
   list(SORT _tomls)
+  if(CONTACT_PACK)
+    file(GLOB _more CONFIGURE_DEPENDS "${CONTACT_PACK}/chapters/*/chapter.toml")
+    list(SORT _more)
+    list(APPEND _tomls ${_more})
+  endif()
   set(CONTACT_CHAPTERS "")
   foreach(_toml IN LISTS _tomls)
     get_filename_component(_dir "${_toml}" DIRECTORY)
@@ -13,9 +19,19 @@ macro(contact_find_chapters)
   endforeach()
 endmacro()
 
+# The folder with chapters/NN_slug of this chapter: the book's, or the pack's.
+function(contact_root_of chapter out)
+  set(root "${PROJECT_SOURCE_DIR}")
+  if(CONTACT_PACK AND NOT EXISTS "${root}/chapters/${chapter}/chapter.toml")
+    set(root "${CONTACT_PACK}")
+  endif()
+  set(${out} "${root}" PARENT_SCOPE)
+endfunction()
+
 # Reads `builds_on = ["a", "b"]`, which stands on one line, from a chapter.toml.
 function(contact_read_builds_on chapter out)
-  file(STRINGS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/chapter.toml" line REGEX "^builds_on *=")
+  contact_root_of("${chapter}" root)
+  file(STRINGS "${root}/chapters/${chapter}/chapter.toml" line REGEX "^builds_on *=")
   string(REGEX MATCHALL "\"[^\"]+\"" quoted "${line}")
   string(REPLACE "\"" "" names "${quoted}")
   foreach(name IN LISTS names)
@@ -33,7 +49,8 @@ function(contact_add_chapter_targets)
   add_library(ContactHours::ContactHours ALIAS ContactHours)
   target_link_libraries(ContactHours INTERFACE contact_options)
   foreach(chapter IN LISTS CONTACT_CHAPTERS)
-    set(dir "${PROJECT_SOURCE_DIR}/chapters/${chapter}")
+    contact_root_of("${chapter}" root)
+    set(dir "${root}/chapters/${chapter}")
     add_library(contact_${chapter} INTERFACE)
     target_include_directories(contact_${chapter} INTERFACE "$<BUILD_INTERFACE:${dir}>")
     target_link_libraries(contact_${chapter} INTERFACE contact_options)

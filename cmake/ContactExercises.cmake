@@ -109,8 +109,9 @@ endfunction()
 
 # A file compiled exactly as `contact check` compiles a student's.
 function(contact_compile_as_student object source chapter name)
+  contact_root_of("${chapter}" root)
   set(includes "-I${CMAKE_BINARY_DIR}/student" "-I${PROJECT_SOURCE_DIR}/chapters/00_vectors"
-    "-I${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}")
+    "-I${root}/exercises/${chapter}/${name}")
   add_custom_command(OUTPUT "${object}"
     COMMAND "${CMAKE_CXX_COMPILER}" ${CONTACT_STUDENT_FLAGS} -include "${CMAKE_BINARY_DIR}/student/contact/prelude.hpp"
       ${includes} -MD -MF "${object}.d" -c "${source}" -o "${object}"
@@ -135,9 +136,10 @@ endfunction()
 
 function(contact_add_exercise chapter name)
   set(source "${PROJECT_SOURCE_DIR}")
-  set(contract_dir "${source}/exercises/${chapter}/${name}")
-  set(test "${source}/tests/${chapter}/${name}_test.cpp")
-  set(solution "${source}/solutions/${chapter}/${name}/${name}.cpp")
+  contact_root_of("${chapter}" root)
+  set(contract_dir "${root}/exercises/${chapter}/${name}")
+  set(test "${root}/tests/${chapter}/${name}_test.cpp")
+  set(solution "${root}/solutions/${chapter}/${name}/${name}.cpp")
   set(out "${CMAKE_BINARY_DIR}/exercises/${chapter}/${name}")
   set(target exercise_${chapter}_${name})
   foreach(file IN ITEMS "${test}" "${solution}" "${contract_dir}/${name}.hpp" "${contract_dir}/${name}.cpp")
@@ -282,7 +284,11 @@ function(contact_add_exercises)
   add_custom_target(exercises)
   add_dependencies(exercises contact_prelude)
 
-  file(GLOB tomls CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/exercises/*/*/exercise.toml")
+  set(root "${PROJECT_SOURCE_DIR}")
+  if(CONTACT_PACK)
+    set(root "${CONTACT_PACK}")
+  endif()
+  file(GLOB tomls CONFIGURE_DEPENDS "${root}/exercises/*/*/exercise.toml")
   list(SORT tomls)
   set(CONTACT_JSON_SEPARATOR "")
   foreach(toml IN LISTS tomls)
@@ -295,7 +301,9 @@ function(contact_add_exercises)
     endif()
     contact_add_exercise(${chapter} ${name})
   endforeach()
-  contact_add_exercise_checks()
+  if(NOT CONTACT_PACK)
+    contact_add_exercise_checks()
+  endif()
 
   contact_json_strings(flags ${CONTACT_STUDENT_FLAGS})
   contact_json_strings(link_flags ${CONTACT_STUDENT_LINK_FLAGS})

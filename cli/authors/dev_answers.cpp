@@ -203,7 +203,7 @@ bool is_patch(const fs::path& file) { return file.extension() == ".patch"; }
 std::vector<std::string> generate(grading::Loop& loop, const grading::Book& book,
                                   const Exercise& exercise, const fs::path& folder) {
   const fs::path python = python_of(book);
-  const fs::path generators = book.root() / "grading" / "contract";
+  const fs::path generators = book.book_root() / "grading" / "contract";
   const fs::path proxy = folder / "proxy";
   const fs::path server = folder / "server";
   const std::vector<std::vector<std::string>> commands = {
@@ -267,7 +267,7 @@ std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& b
                                      const std::vector<const Exercise*>& exercises,
                                      const fs::path& folder) {
   std::vector<std::string> command{python_of(book).string(),
-                                   (book.root() / "grading/book/wrong_answers.py").string(),
+                                   (book.book_root() / "grading/book/wrong_answers.py").string(),
                                    "--root",
                                    book.root().string(),
                                    "--output",
@@ -305,7 +305,7 @@ std::vector<DevResult> write_forms(grading::Loop& loop, const grading::Book& boo
                                    const std::vector<const Exercise*>& exercises,
                                    const fs::path& folder) {
   std::vector<std::string> command{python_of(book).string(),
-                                   (book.root() / "grading/book/forms.py").string(),
+                                   (book.book_root() / "grading/book/forms.py").string(),
                                    "--root",
                                    book.root().string(),
                                    "--check",
@@ -361,7 +361,7 @@ std::vector<DevResult> check_answer(grading::Loop& loop, const grading::Book& bo
     fs::create_directories(job.file.parent_path());
     results.push_back(
         {"generated code", job.name, generate(loop, book, *job.exercise, job.file.parent_path())});
-    more_include.push_back((book.root() / "grading").string());
+    more_include.push_back((book.book_root() / "grading").string());
     for (const char* kind : null_kinds) environments.push_back({{"CONTACT_NULL_ANSWER", kind}});
   } else {
     environments.emplace_back();

@@ -67,19 +67,12 @@ void check_written(const fs::path& folder, Problems& problems) {
   }
 }
 
-const Chapter* chapter_called(const Book& book, const std::string& slug) {
-  for (const Chapter& chapter : book.chapters()) {
-    if (chapter.slug == slug) return &chapter;
-  }
-  return nullptr;
-}
-
 // Every chapter that one builds on, through others too.
 std::set<std::string> foundations(const Book& book, const Chapter& chapter) {
   std::set<std::string> found;
   const std::function<void(const Chapter&)> visit = [&](const Chapter& current) {
     for (const std::string& slug : current.builds_on) {
-      const Chapter* next = chapter_called(book, slug);
+      const Chapter* next = book.chapter_called(slug);
       if (next != nullptr && found.insert(slug).second) visit(*next);
     }
   };
@@ -128,7 +121,7 @@ Questions read_questions(const Chapter& chapter) {
 void check_recall(const Book& book, const Chapter& chapter, Problems& problems) {
   for (const std::string& reference : chapter.recall) {
     const std::size_t slash = reference.find('/');
-    const Chapter* other = chapter_called(book, reference.substr(0, slash));
+    const Chapter* other = book.chapter_called(reference.substr(0, slash));
     if (slash == std::string::npos || other == nullptr ||
         read_questions(*other).ids.count(reference.substr(slash + 1)) == 0)
       problems.push_back("recall names a question that does not exist: " + reference);
@@ -146,6 +139,16 @@ void check_exercise_list(const Book& book, const Chapter& chapter, Problems& pro
         problems.push_back("stray: " + shown(folder) + " is not listed in chapter.toml");
     }
   }
+}
+
+std::vector<fs::path> headers_of(const Chapter& chapter) {
+  std::vector<fs::path> headers;
+  std::error_code error;
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(chapter.folder / "contact", error)) {
+    if (entry.path().extension() == ".hpp") headers.push_back(entry.path());
+  }
+  return headers;
 }
 
 void check_includes(const Book& book, const Chapter& chapter,
@@ -170,6 +173,49 @@ void check_includes(const Book& book, const Chapter& chapter,
   }
 }
 
+void require_only_parts(const Book& book, const Chapter& chapter, Problems& problems) {
+  static const std::set<std::string> known{
+      "chapter.toml",      "lesson.md",      "contact",    "src",
+      "figures",           "examples",       "ladder.cpp", "scenes",
+      "scene.schema.json", "questions.toml", "lectures"};
+  require_only(
+      chapter.folder,
+      [](const fs::path& entry) { return known.count(entry.filename().string()) != 0; }, problems);
+  require_only(
+      chapter.folder / "scenes", [](const fs::path& entry) { return entry.extension() == ".json"; },
+      problems);
+  require_only(
+      book.root() / "tests" / chapter.slug,
+      [](const fs::path& entry) {
+        const std::string name = entry.filename().string();
+        return name.ends_with("_test.cpp") || name.ends_with(".hpp") || name == "hard_cases.cpp" ||
+               name.ends_with(".json") || name == "scenes";
+      },
+      problems);
+  require_only(
+      book.root() / "tests" / chapter.slug / "scenes",
+      [](const fs::path& entry) { return entry.extension() == ".json"; }, problems);
+}
+
+// Only what is used: nothing builds examples, ladders and tests of references of a pack.
+void require_only_parts_of_pack(const Book& pack, const Chapter& chapter, Problems& problems) {
+  static const std::set<std::string> known{"chapter.toml", "lesson.md", "contact", "figures",
+                                           "questions.toml"};
+  for (const fs::path& entry : entries_of(chapter.folder)) {
+    if (!left_by_a_tool(entry) && known.count(entry.filename().string()) == 0)
+      problems.push_back(shown(entry) + ": nothing uses this in a pack");
+  }
+  for (const fs::path& entry : entries_of(pack.root() / "tests" / chapter.slug)) {
+    const std::string name = entry.filename().string();
+    const bool of_an_exercise =
+        std::any_of(chapter.exercise_names.begin(), chapter.exercise_names.end(),
+                    [&](const std::string& exercise) { return name == exercise + "_test.cpp"; });
+    if (!of_an_exercise && !name.ends_with(".hpp"))
+      problems.push_back(shown(entry) +
+                         ": it belongs to no exercise of the chapter, so nothing runs it");
+  }
+}
+
 DevResult check_chapter(const Book& book, const Chapter& chapter,
                         const std::map<std::string, std::string>& home) {
   DevResult result{"chapter", chapter.slug, {}};
@@ -190,7 +236,7 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
   }
   if (chapter.objectives.empty()) problems.push_back("it has no objectives");
   for (const std::string& slug : chapter.builds_on) {
-    if (chapter_called(book, slug) == nullptr)
+    if (book.chapter_called(slug) == nullptr)
       problems.push_back("it builds on " + slug + ", which does not exist");
   }
   if (foundations(book, chapter).count(chapter.slug) != 0)
@@ -200,32 +246,15 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
   const Questions questions = read_questions(chapter);
   problems.insert(problems.end(), questions.problems.begin(), questions.problems.end());
   check_includes(book, chapter, home, problems);
-  static const std::set<std::string> known{
-      "chapter.toml",      "lesson.md",      "contact",    "src",
-      "figures",           "examples",       "ladder.cpp", "scenes",
-      "scene.schema.json", "questions.toml", "lectures"};
   check_written(chapter.folder, problems);
   for (const fs::path& file : entries_of(book.root() / "tests" / chapter.slug)) {
     if (text_or_empty(file).find("TO WRITE") != std::string::npos)
       problems.push_back("still to write: " + shown(file));
   }
-  require_only(
-      chapter.folder,
-      [](const fs::path& entry) { return known.count(entry.filename().string()) != 0; }, problems);
-  require_only(
-      chapter.folder / "scenes", [](const fs::path& entry) { return entry.extension() == ".json"; },
-      problems);
-  require_only(
-      book.root() / "tests" / chapter.slug,
-      [](const fs::path& entry) {
-        const std::string name = entry.filename().string();
-        return name.ends_with("_test.cpp") || name.ends_with(".hpp") || name == "hard_cases.cpp" ||
-               name.ends_with(".json") || name == "scenes";
-      },
-      problems);
-  require_only(
-      book.root() / "tests" / chapter.slug / "scenes",
-      [](const fs::path& entry) { return entry.extension() == ".json"; }, problems);
+  if (book.base() == nullptr)
+    require_only_parts(book, chapter, problems);
+  else
+    require_only_parts_of_pack(book, chapter, problems);
   return result;
 }
 
@@ -348,7 +377,7 @@ DevResult check_exercise(const Book& book, const Exercise& exercise) {
   if (!contains({"worked", "completion", "blank", "transfer", "break"}, exercise.kind))
     problems.push_back("kind must be worked, completion, blank, transfer or break, not '" +
                        exercise.kind + "'");
-  const Chapter* chapter = chapter_called(book, exercise.chapter);
+  const Chapter* chapter = book.chapter_called(exercise.chapter);
   const bool objective_known =
       chapter != nullptr &&
       std::any_of(chapter->objectives.begin(), chapter->objectives.end(),
@@ -392,12 +421,15 @@ std::vector<DevResult> check_book_files(const Book& book) {
 
   std::map<std::string, std::string> home;
   Problems names;
+  if (book.base() != nullptr) {
+    for (const Chapter& chapter : book.base()->chapters()) {
+      for (const fs::path& header : headers_of(chapter))
+        home.emplace(header.filename().string(), chapter.slug);
+    }
+  }
   for (const Chapter& chapter : book.chapters()) {
-    std::error_code error;
-    for (const fs::directory_entry& entry :
-         fs::recursive_directory_iterator(chapter.folder / "contact", error)) {
-      if (entry.path().extension() != ".hpp") continue;
-      const std::string header = entry.path().filename().string();
+    for (const fs::path& path : headers_of(chapter)) {
+      const std::string header = path.filename().string();
       const auto [earlier, is_new] = home.emplace(header, chapter.slug);
       if (!is_new)
         names.push_back(header + " is in " + earlier->second + " and in " + chapter.slug);
@@ -411,7 +443,7 @@ std::vector<DevResult> check_book_files(const Book& book) {
   for (const char* tree : {"chapters", "exercises", "solutions"}) {
     for (const fs::path& folder : entries_of(book.root() / tree)) {
       if (fs::is_directory(folder) && !left_by_a_tool(folder) &&
-          chapter_called(book, folder.filename().string()) == nullptr)
+          book.chapter_called(folder.filename().string()) == nullptr)
         without_chapter.push_back("stray: " + shown(folder) +
                                   " has no chapter.toml that can be read");
     }

@@ -8,7 +8,7 @@
 namespace contact::cli {
 
 std::vector<DevResult> check_lessons(grading::Loop& loop, const grading::Book& book) {
-  const std::string program = (book.root() / "grading/book/lesson_minutes.py").string();
+  const std::string program = (book.book_root() / "grading/book/lesson_minutes.py").string();
   const grading::ProcessResult done = run_python(
       loop, {python_of(book).string(), program, "--root", book.root().string(), "--json"});
   std::vector<DevResult> results;

@@ -106,7 +106,7 @@ void look_at_build(Context& context, std::vector<Finding>& findings) {
 void look_at_book(Context& context, std::vector<Finding>& findings) {
   const grading::Book& book = context.book();
   Finding finding;
-  finding.what = "the book";
+  finding.what = book.base() == nullptr ? "the book" : "the pack";
   finding.found = std::to_string(book.chapters().size()) + " chapters, " +
                   std::to_string(book.exercises().size()) + " exercises in " + book.root().string();
   findings.push_back(finding);
@@ -192,7 +192,8 @@ int run(Context& context, bool json) {
   } catch (const grading::BookError&) {
     // Said by look_at_build; the system's own compiler is looked at instead.
   }
-  const std::string python = (context.book().root() / "build" / "venv" / "bin" / "python").string();
+  const std::string python =
+      (context.book().book_root() / "build" / "venv" / "bin" / "python").string();
   const std::vector<Tool> tools = {
       {"C++ compiler", {compiler, "--version"}, {12}, true, "exercises"},
       {"CMake", {"cmake", "--version"}, {3, 25}, true, "exercises"},

@@ -61,7 +61,7 @@ std::string unit_note(const grading::NumberKey& key) {
 class Session {
  public:
   Session(const grading::Book& book, grading::Progress& progress)
-      : units_(book.root() / "grading" / "text" / "units.json"), progress_(progress) {}
+      : units_(book.book_root() / "grading" / "text" / "units.json"), progress_(progress) {}
 
   End ask(const Question& question) {
     switch (question.kind) {
@@ -164,9 +164,9 @@ class Session {
   }
 
   End in_the_page(const Question& question) {
-    say(wrapped("This one is answered in the page, in the figure " + question.figure +
-                    ": ./contact serve, then chapters/" + question.chapter + ".html#question-" +
-                    question.id,
+    say(wrapped("This one is answered in the page, in the figure " + question.figure + ": " +
+                    program_as_typed() + " serve, then chapters/" + question.chapter +
+                    ".html#question-" + question.id,
                 2));
     return End::in_the_page;
   }

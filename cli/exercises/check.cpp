@@ -189,15 +189,16 @@ int check(Context& context, const Options& options, const Task& task) {
   if (!options.json) say_what_is_not_checked(task);
   for (const Job& job : task.jobs) {
     if (!fs::exists(job.file)) {
-      note("You have not started " + job.exercise->id() + " yet: ./contact start " +
-           job.exercise->name);
+      note("You have not started " + job.exercise->id() + " yet: " + program_as_typed() +
+           " start " + job.exercise->name);
       return exit_not_passed;
     }
   }
   if (task.jobs.empty() && task.untouched.empty())
-    note(task.archive.empty() ? "Nothing is started yet. `contact list` shows what there is; "
-                                "`contact start EXERCISE` begins."
-                              : "There is nothing to check in " + shown(task.archive) + ".");
+    note(task.archive.empty()
+             ? "Nothing is started yet. `" + program_as_typed() + " list` shows what there is; `" +
+                   program_as_typed() + " start EXERCISE` begins."
+             : "There is nothing to check in " + shown(task.archive) + ".");
   const Totals totals = task.jobs.empty() ? Totals{} : check_all(context, options, task.jobs);
   if (options.json)
     say(json_of(task, totals).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

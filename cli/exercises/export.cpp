@@ -104,8 +104,8 @@ std::optional<Work> some_work(const Book& book, const std::vector<std::string>& 
   for (const Exercise* exercise : chosen(book, names)) {
     const std::string id = exercise->id();
     if (!book.started(*exercise)) {
-      note("You have not started " + id + " yet, so nothing is exported: ./contact start " +
-           exercise->name);
+      note("You have not started " + id + " yet, so nothing is exported: " + program_as_typed() +
+           " start " + exercise->name);
       return {};
     }
     if (!seen.insert(id).second) continue;

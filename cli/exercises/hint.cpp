@@ -29,7 +29,8 @@ int run(Context& context, const std::string& name, bool again) {
     say(wrapped(exercise.hints[static_cast<std::size_t>(i)], 2));
   }
   if (known == count)
-    say(style.dim("That is the last one; `contact hint " + exercise.name + " --again` shows all."));
+    say(style.dim("That is the last one; `" + program_as_typed() + " hint " + exercise.name +
+                  " --again` shows all."));
   return exit_passed;
 }
 

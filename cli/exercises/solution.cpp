@@ -20,8 +20,8 @@ int run(Context& context, const std::string& name, bool give_up) {
       note("There " +
            std::string(left == 1 ? "is one more hint"
                                  : "are " + std::to_string(left) + " more hints") +
-           ": ./contact hint " + exercise.name);
-    note("To see it anyway: ./contact solution " + exercise.name + " --give-up");
+           ": " + program_as_typed() + " hint " + exercise.name);
+    note("To see it anyway: " + program_as_typed() + " solution " + exercise.name + " --give-up");
     return exit_not_passed;
   }
   const std::string text = grading::solution_text(exercise);

@@ -15,9 +15,10 @@ std::string beginning(Context& context, const grading::Exercise& exercise,
                       const std::string& form) {
   if (form == "write") return grading::read_text(exercise.stub);
   const grading::Book& book = context.book();
-  const grading::ProcessResult made = run_python(
-      context.loop(), {python_of(book).string(), (book.root() / "grading/book/forms.py").string(),
-                       "--root", book.root().string(), "--form", form, exercise.id()});
+  const grading::ProcessResult made =
+      run_python(context.loop(),
+                 {python_of(book).string(), (book.book_root() / "grading/book/forms.py").string(),
+                  "--root", book.root().string(), "--form", form, exercise.id()});
   if (!made.succeeded())
     throw grading::BookError(made.errors.substr(0, made.errors.find_last_not_of('\n') + 1));
   return made.output;
@@ -52,8 +53,8 @@ int run(Context& context, const std::vector<std::string>& names, const std::stri
       say(made ? "Your copy is " + copy : "Your copy already exists and was not changed: " + copy);
       if (names.size() > 1) continue;
       say("What it must do is stated in " + shown(exercise->contract));
-      say("Edit it, then: ./contact check " + exercise->name +
-          "   or leave running: ./contact watch " + exercise->name);
+      say("Edit it, then: " + program_as_typed() + " check " + exercise->name +
+          "   or leave running: " + program_as_typed() + " watch " + exercise->name);
     }
   }
   return exit_passed;

@@ -52,7 +52,7 @@ class Teller final : public grading::SessionListener {
   }
 
   void on_measuring() override {
-    note("Grading the book's own solutions, to measure their time ...");
+    note("Grading the exercises' own solutions, to measure their time ...");
   }
 
   void on_fewer_workers(int workers) override {
@@ -155,7 +155,7 @@ int grade(Context& context, const Options& options) {
   const Book& book = context.book();
   grading::SessionSettings settings = options.session;
   settings.version = program_version();
-  settings.again = command_again(book.root());
+  settings.again = command_again(book.book_root());
   const Style style(stdout);
   Teller teller(settings, style);
   grading::Session session(loop, book, settings, teller);
@@ -184,6 +184,8 @@ int grade(Context& context, const Options& options) {
 // reports' Python does it, which also runs there.
 int pack_autograder(Context& context, const Options& options) {
   const Book& book = context.book();
+  if (book.base() != nullptr)
+    throw BookError("--autograder can only hold the book's exercises yet, not those of a pack");
   const grading::SessionSettings& asked = options.session;
   grading::ProcessSpec spec = grading::report_module(book, "reports.autograder");
   spec.command.push_back(fs::absolute(options.autograder).lexically_normal().string());

@@ -44,21 +44,6 @@ std::string shown_id(const nlohmann::json& submission) {
   return id + " (" + grading::escaped(name) + ")";
 }
 
-// A word as a POSIX shell reads it back.
-std::string quoted_for_shell(const std::string& word) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) {
-    if (c == '\'')
-      text += "'\\''";
-    else
-      text += c;
-  }
-  return text + "'";
-}
-
 }  // namespace
 
 GradeProgress::GradeProgress(std::size_t total, int workers)
@@ -128,9 +113,12 @@ std::string command_again(const std::filesystem::path& root) {
       std::filesystem::exists(script, error)) {
     const bool here = std::filesystem::equivalent(root, ".", error);
     text = here ? "./contact" : quoted_for_shell(script.string());
+    if (const char* pack = std::getenv("CONTACT_PACK")) text += " --pack " + quoted_for_shell(pack);
   } else {
     if (const char* given = std::getenv("CONTACT_ROOT"))
       text = "CONTACT_ROOT=" + quoted_for_shell(given) + " ";
+    if (const char* pack = std::getenv("CONTACT_PACK"))
+      text += "CONTACT_PACK=" + quoted_for_shell(pack) + " ";
     text += quoted_for_shell(words.front());
   }
   for (std::size_t i = 1; i < words.size(); ++i) {

@@ -126,13 +126,19 @@ std::string line_of(const nlohmann::json& json) {
   ::_exit(exit_trouble);
 }
 
+// The book with which a pack is graded.
+std::shared_ptr<const grading::Book> base_of(const grading::Run& run) {
+  if (run.book_root == run.root) return nullptr;
+  return std::make_shared<grading::Book>(run.book_root, run.book_root / "work");
+}
+
 class Worker {
  public:
   Worker(grading::Loop& loop, const grading::Run& run, const std::string& machine)
       : loop_(loop),
         run_(run),
         folder_(run.results),
-        book_(run.root, run.root / "work"),
+        book_(run.root, run.root / "work", base_of(run)),
         build_(grading::read_build_description(run.build)),
         machine_(machine_from(loop, machine)),
         seat_(machine_),

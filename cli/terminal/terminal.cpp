@@ -41,6 +41,20 @@ std::string shown(const fs::path& path) {
   return relative.empty() || relative.starts_with("../..") ? path.string() : relative;
 }
 
+std::string quoted_for_shell(const std::string& word) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      text += "'\\''";
+    else
+      text += c;
+  }
+  return text + "'";
+}
+
 std::string indented(std::string_view text, std::size_t by) {
   std::string result;
   const std::string margin(by, ' ');

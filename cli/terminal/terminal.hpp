@@ -32,6 +32,9 @@ void note(std::string_view text);
 /// A path as a reader would type it: relative to the present folder if that is shorter.
 std::string shown(const std::filesystem::path& path);
 
+/// A word as a shell takes it: in quotes if it needs them.
+std::string quoted_for_shell(const std::string& word);
+
 /// The text with every line indented.
 std::string indented(std::string_view text, std::size_t by);
 /// Text broken at spaces into lines of at most `width`, each indented; kept line breaks stay.

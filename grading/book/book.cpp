@@ -198,7 +198,8 @@ Exercise read_exercise(const fs::path& root, const std::string& chapter, const s
   return exercise;
 }
 
-Book::Book(fs::path root, fs::path work) : root_(std::move(root)), work_(std::move(work)) {
+Book::Book(fs::path root, fs::path work, std::shared_ptr<const Book> base)
+    : root_(std::move(root)), work_(std::move(work)), base_(std::move(base)) {
   read_chapters();
   read_exercises();
   read_misconceptions();
@@ -358,6 +359,13 @@ const Chapter* Book::find_chapter(std::string_view name) const {
   return nullptr;
 }
 
+const Chapter* Book::chapter_called(std::string_view slug) const {
+  for (const Chapter& chapter : chapters_) {
+    if (chapter.slug == slug) return &chapter;
+  }
+  return base_ ? base_->chapter_called(slug) : nullptr;
+}
+
 std::vector<const Exercise*> Book::exercises_of(const Chapter& chapter) const {
   std::vector<const Exercise*> result;
   for (const Exercise& exercise : exercises_) {
@@ -393,12 +401,14 @@ std::vector<const Exercise*> Book::chosen(const std::vector<std::string>& names)
 
 std::string Book::hint_for(const std::string& misconception) const {
   const auto found = misconceptions_.find(misconception);
-  return found == misconceptions_.end() ? std::string() : found->second.hint;
+  if (found != misconceptions_.end()) return found->second.hint;
+  return base_ ? base_->hint_for(misconception) : std::string();
 }
 
 std::string Book::summary_of(const std::string& misconception) const {
   const auto found = misconceptions_.find(misconception);
-  return found == misconceptions_.end() ? std::string() : found->second.summary;
+  if (found != misconceptions_.end()) return found->second.summary;
+  return base_ ? base_->summary_of(misconception) : std::string();
 }
 
 std::string read_text(const fs::path& file) {

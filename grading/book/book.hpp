@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -112,18 +113,27 @@ struct BookProblem {
   std::string what;
 };
 
-/// Everything under one project root. A broken file is kept as a problem, so that the rest stays
-/// usable.
+/// Everything under one project root: the book's, or that of a pack of chapters and exercises that
+/// are used with the book. A broken file is kept as a problem, so that the rest stays usable.
 class Book {
  public:
   /// Reads the folders under `root`; the student's copies live in `work`.
-  Book(std::filesystem::path root, std::filesystem::path work);
+  /// @param base the book itself if this is a pack (grading/book/pack.hpp), else none
+  Book(std::filesystem::path root, std::filesystem::path work,
+       std::shared_ptr<const Book> base = nullptr);
 
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
+  /// The folder with the program, its scripts and what all exercises share; root() except in a
+  /// pack.
+  [[nodiscard]] const std::filesystem::path& book_root() const {
+    return base_ ? base_->root() : root_;
+  }
+  /// The book with which a pack is used; none for the book itself.
+  [[nodiscard]] const Book* base() const { return base_.get(); }
   [[nodiscard]] const std::filesystem::path& work() const { return work_; }
   [[nodiscard]] std::filesystem::path build_dir() const { return root_ / "build" / "dev"; }
 
-  /// Chapters in the order of their numbers.
+  /// Chapters in the order of their numbers; of a pack, its own only.
   [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
   /// Exercises in the order of chapter.toml, chapter by chapter.
   [[nodiscard]] const std::vector<Exercise>& exercises() const { return exercises_; }
@@ -143,6 +153,9 @@ class Book {
   /// The chapter meant by NN_slug, by its number or by its slug without the number.
   [[nodiscard]] const Chapter* find_chapter(std::string_view name) const;
 
+  /// The chapter of exactly this slug, which a pack's chapter may build on: of the book too.
+  [[nodiscard]] const Chapter* chapter_called(std::string_view slug) const;
+
   [[nodiscard]] std::vector<const Exercise*> exercises_of(const Chapter& chapter) const;
 
   /// The exercises meant by a name: the one it names, or all of the chapter that it names.
@@ -154,7 +167,7 @@ class Book {
   /// @throws UnknownName if a name is neither an exercise's nor a chapter's.
   [[nodiscard]] std::vector<const Exercise*> chosen(const std::vector<std::string>& names) const;
 
-  /// The hint for a misconception; empty if the book has none.
+  /// The hint for a misconception, of a pack or of its book; empty if there is none.
   [[nodiscard]] std::string hint_for(const std::string& misconception) const;
   /// What goes wrong, in one clause without a full stop; empty if the book does not know it.
   [[nodiscard]] std::string summary_of(const std::string& misconception) const;
@@ -168,6 +181,7 @@ class Book {
 
   std::filesystem::path root_;
   std::filesystem::path work_;
+  std::shared_ptr<const Book> base_;
   std::vector<Chapter> chapters_;
   std::vector<Exercise> exercises_;
   std::map<std::string, Misconception> misconceptions_;

@@ -14,7 +14,8 @@ namespace contact::grading {
 
 fs::path find_root() {
   const auto is_root = [](const fs::path& folder) {
-    return fs::is_directory(folder / "chapters") && fs::is_directory(folder / "exercises");
+    return fs::is_directory(folder / "chapters") && fs::is_directory(folder / "exercises") &&
+           !fs::exists(folder / "pack.toml");
   };
   if (const char* given = std::getenv("CONTACT_ROOT"); given != nullptr && *given != '\0') {
     fs::path root = fs::absolute(given).lexically_normal();

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import re
 import sys
 from collections.abc import Mapping, Sequence
@@ -131,11 +132,15 @@ class _Shown:
     def code(self, argument: str) -> Listing:
         name, _, wanted = argument.partition(" ")
         # The chapter's own file first: examples of two chapters may have one name.
-        folders = [self.folder, self.root, *sorted((self.root / "chapters").iterdir())]
+        # A pack's lesson also shows the book's code.
+        roots = dict.fromkeys((self.root, ROOT))
+        folders = [self.folder]
+        for root in roots:
+            folders += [root, *sorted((root / "chapters").iterdir())]
         known = [folder / name for folder in folders]
         path = next((file for file in known if file.is_file()), self.folder / name)
         text = self._text(path)
-        where = str(path.relative_to(self.root))
+        where = os.path.relpath(path, self.root)
         shown = region(text, wanted.strip(), where).text if wanted else without_markers(text)
         return Listing(f"code {argument}", shown.count("\n"))
 

@@ -39,11 +39,15 @@ fs::file_time_type newest_source(const Book& book, const Exercise& exercise) {
   fs::file_time_type newest = modified(exercise.test_source);
   newest_in(exercise.folder, newest);
   for (const char* host : {"exercise.cpp", "runner.cpp"})
-    newest = std::max(newest, modified(book.root() / "tests" / "support" / host));
+    newest = std::max(newest, modified(book.book_root() / "tests" / "support" / host));
   newest_in(exercise.test_source.parent_path(), newest);
-  newest_in(book.root() / "tests" / "support", newest);
-  newest_in(book.root() / "grading" / "contact", newest);
+  newest_in(book.book_root() / "tests" / "support", newest);
+  newest_in(book.book_root() / "grading" / "contact", newest);
   for (const Chapter& chapter : book.chapters()) newest_in(chapter.folder / "contact", newest);
+  if (book.base() != nullptr) {
+    for (const Chapter& chapter : book.base()->chapters())
+      newest_in(chapter.folder / "contact", newest);
+  }
   return newest;
 }
 
@@ -184,7 +188,54 @@ bool tests_are_stale(const Book& book, const BuildDescription& build, const Exer
   return newest_source(book, exercise) > built;
 }
 
+namespace {
+
+// What a pack's build was set up for: another book, or the same pack elsewhere, needs another.
+std::string set_up_for(const Book& pack) {
+  return pack.book_root().string() + "\n" + pack.root().string() + "\n";
+}
+
+bool is_set_up(const Book& pack) {
+  const fs::path stamp = pack.build_dir() / "pack.txt";
+  return fs::exists(pack.build_dir() / "build.ninja") && fs::exists(stamp) &&
+         read_text(stamp) == set_up_for(pack);
+}
+
+// A pack has a build of its own, in which the book's CMake builds the pack's exercises.
+void set_up_pack(Loop& loop, const Book& pack) {
+  if (pack.base() == nullptr || is_set_up(pack)) return;
+  std::fprintf(stderr, "Setting up the build of the pack (once) ...\n");
+  fs::create_directories(pack.build_dir());
+  const BuildLock lock(loop, pack.root() / "build" / "lock");
+  ProcessSpec spec;
+  spec.command = {"cmake",
+                  "--fresh",
+                  "-S",
+                  pack.book_root().string(),
+                  "--preset",
+                  "dev",
+                  "-B",
+                  pack.build_dir().string(),
+                  "-DCONTACT_PACK=" + pack.root().string()};
+  spec.folder = pack.book_root();
+  const ProcessResult result = run_process(loop, spec);
+  if (!result.succeeded())
+    throw BookError("the build of the pack cannot be set up:\n" +
+                    last_lines(result.output + result.errors, 25));
+  write_text(pack.build_dir() / "pack.txt", set_up_for(pack));
+}
+
+void require_set_up(Loop& loop, const Book& book) {
+  set_up_pack(loop, book);
+  if (!fs::exists(book.build_dir() / "build.ninja") && !fs::exists(book.build_dir() / "Makefile"))
+    throw BookError("nothing is built yet in " + book.build_dir().string() +
+                    ": run ./contact setup");
+}
+
+}  // namespace
+
 void build_target(Loop& loop, const Book& book, const std::vector<std::string>& targets) {
+  set_up_pack(loop, book);
   const BuildLock lock(loop, book.root() / "build" / "lock");
   ProcessSpec spec;
   spec.command = {"cmake", "--build", book.build_dir().string(), "--target"};
@@ -214,6 +265,7 @@ void build_tests(Loop& loop, const Book& book, const std::vector<const Exercise*
 
 BuildDescription ready_build(Loop& loop, const Book& book,
                              const std::vector<const Exercise*>& exercises) {
+  set_up_pack(loop, book);
   std::optional<BuildDescription> build;
   if (fs::exists(book.build_dir() / "exercises.json"))
     build = read_build_description(book.build_dir());
@@ -222,9 +274,7 @@ BuildDescription ready_build(Loop& loop, const Book& book,
     if (!build || tests_are_stale(book, *build, *exercise)) stale.push_back(exercise);
   }
   if (stale.empty() && build) return *build;
-  if (!fs::exists(book.build_dir() / "build.ninja") && !fs::exists(book.build_dir() / "Makefile"))
-    throw BookError("nothing is built yet in " + book.build_dir().string() +
-                    ": run ./contact setup");
+  require_set_up(loop, book);
   if (!stale.empty()) build_tests(loop, book, stale);
   build = read_build_description(book.build_dir());
   for (const Exercise* exercise : exercises) {
@@ -237,10 +287,14 @@ BuildDescription ready_build(Loop& loop, const Book& book,
 
 BuildDescription ready_to_grade(Loop& loop, const Book& book,
                                 const std::vector<const Exercise*>& exercises) {
-  if (!fs::exists(book.build_dir() / "build.ninja") && !fs::exists(book.build_dir() / "Makefile"))
-    throw BookError("nothing is built yet in " + book.build_dir().string() +
-                    ": run ./contact setup");
-  std::vector<std::string> targets{"contact_prelude", "contact-box", "contact-explain"};
+  require_set_up(loop, book);
+  // A pack is graded by the book's programs.
+  std::vector<std::string> targets{"contact_prelude"};
+  const std::vector<std::string> programs{"contact-box", "contact-explain"};
+  if (book.base() == nullptr)
+    targets.insert(targets.end(), programs.begin(), programs.end());
+  else
+    build_target(loop, *book.base(), programs);
   std::vector<fs::file_time_type> times;
   for (const Exercise* exercise : exercises) {
     targets.push_back("exercise_" + exercise->chapter + "_" + exercise->name);

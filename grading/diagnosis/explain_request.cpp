@@ -39,8 +39,8 @@ class Fields {
   std::string_view bytes_;
 };
 
-// Texts for students name the book's files relative to its root, not by their paths on this
-// machine.
+}  // namespace
+
 void shorten(Explained& said, const std::string& root) {
   if (root.empty()) return;
   const auto in = [&](std::string& text) { replace_all(text, root, ""); };
@@ -54,6 +54,8 @@ void shorten(Explained& said, const std::string& root) {
     in(*text);
   for (ContractLine& line : error.contract) in(line.file);
 }
+
+namespace {
 
 std::string dumped(const Explained& said) {
   return to_json(said).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -26,6 +26,10 @@ struct ExplainRequest {
   std::string root;
 };
 
+/// Texts for students name files relative to this folder, which ends with a slash, not by their
+/// paths on this machine. Nothing is done if it is empty.
+void shorten(Explained& said, const std::string& root);
+
 /// Fields, each with its length before it.
 std::string to_bytes(const ExplainRequest& request);
 /// @throws std::invalid_argument if the bytes are not what to_bytes() makes

@@ -7,7 +7,7 @@ namespace contact::grading {
 namespace {
 
 fs::path python_of(const Book& book) {
-  const fs::path own = book.root() / "build" / "venv" / "bin" / "python";
+  const fs::path own = book.book_root() / "build" / "venv" / "bin" / "python";
   std::error_code error;
   const bool there = fs::exists(own, error);
   if (error)
@@ -33,8 +33,8 @@ std::string last_line(std::string text) {
 ProcessSpec report_module(const Book& book, const std::string& module) {
   ProcessSpec spec;
   spec.command = {python_of(book).string(), "-m", module};
-  spec.folder = book.root();
-  spec.environment = {{"PYTHONPATH", (book.root() / "grading").string()},
+  spec.folder = book.book_root();
+  spec.environment = {{"PYTHONPATH", (book.book_root() / "grading").string()},
                       {"PYTHONDONTWRITEBYTECODE", "1"}};
   return spec;
 }

@@ -111,6 +111,7 @@ nlohmann::json to_json(const Run& run) {
     submissions.push_back({{"id", submission.id}, {"folder", submission.folder.string()}});
   return {{"format", run_format},
           {"root", run.root.string()},
+          {"book_root", run.book_root.string()},
           {"build", run.build.string()},
           {"results", run.results.string()},
           {"seed", run.seed},
@@ -134,6 +135,8 @@ Run read_run(const fs::path& file) {
                       ": another version of the program made it. Grade into a new folder");
     Run run;
     run.root = json.at("root").get<std::string>();
+    // An earlier version knew no packs.
+    run.book_root = json.value("book_root", run.root.string());
     run.build = json.at("build").get<std::string>();
     run.results = json.at("results").get<std::string>();
     json.at("seed").get_to(run.seed);

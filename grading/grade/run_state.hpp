@@ -47,6 +47,8 @@ struct RunSubmission {
 /// RUN.json, "contact-grade-run/1".
 struct Run {
   std::filesystem::path root;
+  /// The book's folder if `root` is a pack's, else the same.
+  std::filesystem::path book_root;
   std::filesystem::path build;
   std::filesystem::path results;
   std::string seed;

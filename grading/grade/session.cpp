@@ -126,6 +126,7 @@ void Session::set_up() {
         "would say so");
   if (machine_.level != Level::full) listener_.on_weak_machine(machine_.level);
   run_.root = book_.root();
+  run_.book_root = book_.book_root();
   run_.build = book_.build_dir();
   run_.results = folder_.results();
   run_.accept_weak = settings_.accept_weak;

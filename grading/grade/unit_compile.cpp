@@ -37,7 +37,7 @@ BoxSpec compile_box(const Book& book, const BuildDescription& build, const Exerc
   // it.
   const auto show = [&](const fs::path& path) { spec.read_only.push_back({path, path}); };
   show(fs::path(build.pch).parent_path());
-  show(book.root() / "chapters" / "00_vectors" / "contact");
+  show(book.book_root() / "chapters" / "00_vectors" / "contact");
   show(exercise.contract);
   if (!exercise.given.empty()) show(exercise.given);
   show(build.exercises.at(exercise.id()).server);
@@ -106,6 +106,7 @@ CompiledUnit compile_unit(Loop& loop, const Book& book, const BuildDescription& 
                           const GradeLimits& limits) {
   CompiledUnit unit;
   const std::string root = (book.root() / "").string();
+  const std::string book_root = (book.book_root() / "").string();
   const fs::path object = exercise.name + ".o";
   const auto run = [&](std::vector<std::string> command, double& seconds) {
     BoxSpec spec = compile_box(book, build, exercise, folder, limits);
@@ -129,7 +130,9 @@ CompiledUnit compile_unit(Loop& loop, const Book& book, const BuildDescription& 
     request.log = process.errors;
     request.headers = headers_of(exercise);
     request.root = root;
-    return explain_in_box(loop, machine, seat, request);
+    Explained said = explain_in_box(loop, machine, seat, request);
+    if (book.base() != nullptr) shorten(said, book_root);
+    return said;
   };
 
   const ProcessResult compiled =
@@ -158,7 +161,8 @@ CompiledUnit compile_unit(Loop& loop, const Book& book, const BuildDescription& 
     }
   }
   if (unit.said.error) {
-    replace_all(unit.said.error->full, root, "");
+    for (const std::string& folder : {root, book_root})
+      replace_all(unit.said.error->full, folder, "");
     return unit;
   }
   unit.program = folder / exercise.name;

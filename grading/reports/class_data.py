@@ -228,17 +228,18 @@ def nameless(text: str, submissions: Sequence[SeenSubmission]) -> bool:
 
 
 def book_of_misconceptions() -> dict[str, tuple[str, str]]:
-    """The book's misconceptions: id to summary and hint."""
+    """The misconceptions of the book, and of the pack that is graded: id to summary and hint."""
     root = Path(os.environ.get("CONTACT_ROOT") or Path(__file__).resolve().parents[2])
-    file = root / "chapters" / "misconceptions.toml"
-    if not file.is_file():
-        return {}
-    table = tomllib.loads(file.read_text(encoding="utf-8"))
-    return {
-        id_: (str(entry.get("summary", "")), str(entry.get("hint", "")))
-        for id_, entry in table.items()
-        if isinstance(entry, dict)
-    }
+    found: dict[str, tuple[str, str]] = {}
+    for folder in (root, Path(os.environ.get("CONTACT_PACK") or root)):
+        file = folder / "chapters" / "misconceptions.toml"
+        if not file.is_file():
+            continue
+        table = tomllib.loads(file.read_text(encoding="utf-8"))
+        for id_, entry in table.items():
+            if isinstance(entry, dict):
+                found[id_] = (str(entry.get("summary", "")), str(entry.get("hint", "")))
+    return found
 
 
 def _count(row: ExerciseRow, unit: SeenUnit) -> None:

@@ -8,7 +8,7 @@ namespace contact::grading {
 
 namespace {
 
-std::string text_at(const nlohmann::json& json, const char* key) {
+std::string turn_text(const nlohmann::json& json, const char* key) {
   const auto found = json.find(key);
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
@@ -35,14 +35,14 @@ void EventReader::feed(std::string_view text) {
 void EventReader::event(const std::string& line) {
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object()) return;
-  const std::string kind = text_at(json, "event");
+  const std::string kind = turn_text(json, "event");
   if (kind == "start") {
-    current_ = text_at(json, "test");
+    current_ = turn_text(json, "test");
     start_time_ = Clock::now();
     started_.push_back(current_);
   } else if (kind == "end") {
     TestResult result = result_from_json(json);
-    result.name = text_at(json, "test");
+    result.name = turn_text(json, "test");
     results_.push_back(std::move(result));
     current_.clear();
   } else if (kind == "look" && json.contains("look") && json["look"].is_object()) {

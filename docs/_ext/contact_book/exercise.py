@@ -6,6 +6,8 @@ The page's script turns it into an editor in which the reader writes and checks 
 from __future__ import annotations
 
 import json
+import os
+import shlex
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -37,6 +39,14 @@ from contact_book.try_mine import tie
 
 def _number(value: float) -> str:
     return f"{value:g}"
+
+
+def pack_option(exercise: ExerciseData) -> str:
+    """What a command names before its own words, if the exercise is of the pack that is served."""
+    pack = os.environ.get("CONTACT_BOOK_PACK", "")
+    if not pack or not (Path(pack) / "exercises" / exercise.ref).is_dir():
+        return ""
+    return f" --pack {shlex.quote(pack)}"
 
 
 class Exercise(BookDirective):
@@ -120,7 +130,8 @@ class Exercise(BookDirective):
         return listing(text, "cpp", [nodes.Text(label), nodes.literal(path.name, path.name)])
 
     def commands(self, exercise: ExerciseData) -> nodes.Element:
-        text = f"./contact start {exercise.ref}\n./contact watch\n"
+        contact = f"./contact{pack_option(exercise)}"
+        text = f"{contact} start {exercise.ref}\n{contact} watch\n"
         copy = f"work/{exercise.ref}.cpp"
         box = nodes.container(classes=["commands"])
         words = nodes.paragraph("", "Make your own copy, ")
