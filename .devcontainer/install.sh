@@ -6,5 +6,5 @@ export DEBIAN_FRONTEND=noninteractive
 apt-get -q update
 apt-get -q -y install --no-install-recommends ca-certificates git sudo
 "$(dirname -- "$0")/../contact" setup --for program
-useradd --create-home --shell /bin/bash reader
+id reader > /dev/null 2>&1 || useradd --create-home --shell /bin/bash reader
 printf 'reader ALL=(ALL) NOPASSWD:ALL\n' > /etc/sudoers.d/reader
