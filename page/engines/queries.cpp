@@ -37,7 +37,8 @@ struct Input {
 
 struct Output {
   double problem;
-  double answer;  // m, s, or how many rays hit; infinite: no hit
+  double answer;                     // m or s; infinite: no hit
+  std::array<double, max_rays> hit;  // distance to the first hit of the mesh; infinite: no hit
 };
 
 namespace {
@@ -89,7 +90,7 @@ double impact(const Input& in) {
   });
 }
 
-double mesh_hits(const Input& in) {
+void mesh_hits(const Input& in, std::array<double, max_rays>& hits) {
   contact::Mesh<double> mesh;
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.vertices); ++i) {
     mesh.vertices.push_back(in.vertex[i]);
@@ -100,12 +101,11 @@ double mesh_hits(const Input& in) {
         {static_cast<int>(t.x()), static_cast<int>(t.y()), static_cast<int>(t.z())});
   }
   const contact::MeshTree<double> tree(mesh);
-  double hits = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.rays); ++i) {
     const contact::Ray<double> ray{in.ray_origin[i], in.ray_direction[i]};
-    if (tree.any(ray)) ++hits;
+    const auto first = tree.first(ray);
+    hits[i] = first ? first->hit.t : none;
   }
-  return hits;
 }
 
 bool fits(const Input& in) {
@@ -122,11 +122,11 @@ Output compute(const Input& in) {
   if (in.query == 0) out.answer = cast(in);
   if (in.query == 1) out.answer = distance(in);
   if (in.query == 2) out.answer = impact(in);
-  if (in.query == 3) out.answer = mesh_hits(in);
+  if (in.query == 3) mesh_hits(in, out.hit);
   return out;
 }
 
 FIGURE(Input,
        FIELDS(query, radius_a, radius_b, half_a, half_b, centre_a, centre_b, q_a, q_b, origin,
               direction, vertices, triangles, rays, vertex, triangle, ray_origin, ray_direction),
-       Output, FIELDS(problem, answer))
+       Output, FIELDS(problem, answer, hit))

@@ -217,9 +217,11 @@ def ask_engines_html(translator: HTML5Translator, node: component) -> str:
         page = builder.get_relative_uri(builder.current_docname, f"chapters/{question['lesson']}")
         exercise = record["lessons"][question["lesson"]]["exercise"].replace("_", "-")
         parts.append(question_html(record, question, (page, f"{page}#exercise-{exercise}")))
+    megabytes = sum(engine.get("bytes", 0) for engine in record["engines"]) / 1e6
     recorded = (
         f'<p class="recorded">Recorded on {record["date"]} with Node {record["node"]} '
-        f"on {escape(record['processor'])}; times are of one run after a first one.</p>"
+        f"on {escape(record['processor'])}; times are of one run after a first one. "
+        f"Asking here loads all engines once, {megabytes:.1f} MB.</p>"
     )
     inner = overview_html(record) + recorded + "".join(parts) + engines_html(record)
     if not can_run_scripts(translator):

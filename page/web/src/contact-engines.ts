@@ -14,6 +14,7 @@ type Answered = Extract<FromWorker, { kind: "answer" }>;
 export class ContactEngines extends HTMLElement {
   #worker: Worker | undefined;
   #built = false;
+  #settings: HTMLElement | undefined;
   readonly #status = html("p", { class: "status", role: "status" });
   readonly #step = numberField("0.0001", "0.1", "0.0001");
   readonly #iterations = numberField("1", "1000", "1");
@@ -32,7 +33,8 @@ export class ContactEngines extends HTMLElement {
     );
     this.#buttons.push(all);
     this.#stop.disabled = true;
-    sections[0]?.before(this.#form(all));
+    this.#settings = this.#form(all);
+    sections[0]?.before(this.#settings);
   }
 
   disconnectedCallback(): void {
@@ -93,6 +95,9 @@ export class ContactEngines extends HTMLElement {
         cell.replaceChildren();
     const base = new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
     this.#worker ??= this.#start(base);
+    // Beside what was pressed, since the page is long.
+    const at = questions.length === 1 ? this.#section(questions[0]!) : this.#settings;
+    at?.querySelector(".buttons")?.after(this.#status);
     this.#setAsking(true);
     this.#status.textContent = "Loading the engines …";
     const message: ToWorker = { base, questions, choice };

@@ -118,6 +118,31 @@ describe("each engine is used rightly", () => {
   });
 });
 
+describe("rays at a mesh", () => {
+  test("each ray at the middle of a triangle hits it", () => {
+    const mesh = {
+      vertices: Float32Array.from([1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1]),
+      triangles: Uint32Array.from([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]),
+    };
+    const third = 1 / Math.sqrt(3);
+    const directions = [
+      [third, -third, -third],
+      [-third, third, -third],
+      [-third, -third, third],
+      [third, third, third],
+    ];
+    // The faces are at a distance of 1/√3 from the centre; each ray comes from 3 m.
+    const rays = directions.map(([x = 0, y = 0, z = 0]) => ({
+      origin: /** @type {const} */ ([-3 * x, -3 * y, -3 * z]),
+      direction: /** @type {const} */ ([x, y, z]),
+      length: 6,
+    }));
+    for (const { adapter, engine } of asked)
+      for (const distance of engine.meshHits?.(mesh, rays) ?? [])
+        assert.ok(Math.abs(distance - (3 - third)) < 1e-4, `${adapter.id}: ${distance}`);
+  });
+});
+
 describe("the exact answers", () => {
   test("an id, a lesson and an exact answer belong to each question", () => {
     const ids = library.QUESTIONS.map(({ id }) => id);

@@ -80,8 +80,8 @@ export interface Engine {
   world?(scene: Scene, settings: Settings): World;
   /** Distance from the origin to the first hit of a solid, m; infinite: no hit. */
   ray?(target: Placed, ray: Ray, sharp: boolean): number;
-  /** How many of the rays hit the mesh. */
-  meshHits?(mesh: Mesh, rays: readonly Ray[]): number;
+  /** Distance from each origin to the first hit of a mesh, m; infinite: no hit. */
+  meshHits?(mesh: Mesh, rays: readonly Ray[]): readonly number[];
   /** Distance of bodies that are apart or touch, m; negative if they are taken to overlap. NaN: no answer. */
   distance?(a: Placed, b: Placed, sharp: boolean): number;
   /** The least depth of bodies that overlap as a negative distance, m. NaN: no contact was reported. */

@@ -52,7 +52,7 @@ class Queries {
     rays: readonly Ray[] = [],
   ) {
     const [of_a, of_b] = [sizes(a.shape), sizes(b.shape)];
-    const { answer, problem } = this.#figure.compute({
+    const { answer, hit, problem } = this.#figure.compute({
       query: [query],
       radius_a: [of_a.radius],
       radius_b: [of_b.radius],
@@ -79,7 +79,11 @@ class Queries {
       ),
     });
     if (problem?.[0] !== 0) throw new Error("the book's module has no room for this question");
-    return answer![0]!;
+    return { answer: answer![0]!, hits: hit!.slice(0, rays.length) };
+  }
+
+  mesh(mesh: Mesh, rays: readonly Ray[]): readonly number[] {
+    return this.ask(3, SOMEWHERE, SOMEWHERE, ONE_RAY, mesh, rays).hits;
   }
 }
 
@@ -145,14 +149,14 @@ function open(simulation: Simulation, scene: Scene, step: number): World {
 function engineOf(simulation: Simulation, queries: Queries): Engine {
   return {
     world: (scene, { step }) => open(simulation, scene, step),
-    ray: (target, ray) => queries.ask(0, target, SOMEWHERE, ray),
-    distance: (a, b) => queries.ask(1, a, b),
-    depth: (a, b) => queries.ask(1, a, b),
-    impact: (a, velocity, b) => queries.ask(2, a, b, { ...ONE_RAY, direction: velocity }),
+    ray: (target, ray) => queries.ask(0, target, SOMEWHERE, ray).answer,
+    distance: (a, b) => queries.ask(1, a, b).answer,
+    depth: (a, b) => queries.ask(1, a, b).answer,
+    impact: (a, velocity, b) => queries.ask(2, a, b, { ...ONE_RAY, direction: velocity }).answer,
     meshHits(mesh, rays) {
-      let hits = 0;
+      const hits: number[] = [];
       for (let i = 0; i < rays.length; i += ROOM.rays)
-        hits += queries.ask(3, SOMEWHERE, SOMEWHERE, ONE_RAY, mesh, rays.slice(i, i + ROOM.rays));
+        hits.push(...queries.mesh(mesh, rays.slice(i, i + ROOM.rays)));
       return hits;
     },
   };

@@ -11,9 +11,10 @@ const engine: Engine = {
     geometry.setAttribute("position", new BufferAttribute(mesh.vertices, 3));
     geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
     const tree = new MeshBVH(geometry, { indirect: true });
-    return rays.filter(({ origin, direction }) =>
-      tree.raycastFirst(new Ray(new Vector3(...origin), new Vector3(...direction)), DoubleSide),
-    ).length;
+    return rays.map(({ origin, direction, length }) => {
+      const ray = new Ray(new Vector3(...origin), new Vector3(...direction));
+      return tree.raycastFirst(ray, DoubleSide, 0, length)?.distance ?? Number.POSITIVE_INFINITY;
+    });
   },
 };
 

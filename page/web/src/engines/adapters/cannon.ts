@@ -51,7 +51,6 @@ function firstHit(body: CANNON.Body, { origin, direction, length }: Ray): number
   const from = vector(origin);
   const ray = new CANNON.Ray(from, from.vadd(vector(direction).scale(length)));
   ray.mode = CANNON.Ray.CLOSEST;
-  ray.skipBackfaces = true;
   const result = new CANNON.RaycastResult();
   ray.intersectBody(body, result);
   return result.hasHit ? result.distance : Number.POSITIVE_INFINITY;
@@ -85,7 +84,7 @@ const engine: Engine = {
   ray: (target, ray) => firstHit(bodyOf(target), ray),
   meshHits(mesh, rays) {
     const body = meshBody(mesh);
-    return rays.filter((ray) => Number.isFinite(firstHit(body, ray))).length;
+    return rays.map((ray) => firstHit(body, ray));
   },
   depth: reported,
 };

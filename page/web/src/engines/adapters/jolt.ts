@@ -238,7 +238,7 @@ const engineOf = (jolt: Jolt): Engine => ({
       { shape: { type: "ball", radius: 1 }, position: [0, 0, 0] },
       (query) => {
         const cast = castWith(jolt, query);
-        return rays.filter((ray) => Number.isFinite(cast(ray))).length;
+        return rays.map(cast);
       },
     ),
   distance: (a, b, sharp) => reported(jolt, a, b, sharp, 1),

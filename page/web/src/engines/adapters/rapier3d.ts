@@ -77,13 +77,12 @@ const engine: Engine = {
       RAPIER.ColliderDesc.trimesh(mesh.vertices, mesh.triangles),
     );
     const ray = new RAPIER.Ray({ x: 0, y: 0, z: 0 }, { x: 0, y: 0, z: 0 });
-    let hits = 0;
-    for (const { origin, direction, length } of rays) {
+    const hits = rays.map(({ origin, direction, length }) => {
       ray.origin = vector(origin);
       ray.dir = vector(direction);
       const time = collider.castRay(ray, length, true);
-      if (time !== null && time >= 0) hits += 1;
-    }
+      return time === null || time < 0 ? Number.POSITIVE_INFINITY : time;
+    });
     made.free();
     return hits;
   },

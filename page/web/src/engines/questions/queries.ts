@@ -33,7 +33,10 @@ export const queries: readonly Question[] = [
     unit: "m",
     lesson: "09_separating_planes",
     planar: true,
-    exact: { value: 1.1 - 0.1 - 1, how: "of the numbers as stored: 1.1 − 0.1 − 1, rounded" },
+    exact: {
+      value: 3 * 2 ** -55,
+      how: "3 · 2⁻⁵⁵: the stored 1.1 less the stored 0.1 is not quite 1",
+    },
     ask: distance(box([0.5, 0.5, 0.5], [0.1, 0, 0]), box([0.5, 0.5, 0.5], [1.1, 0, 0])),
   },
   {

@@ -85,9 +85,9 @@ const MESH = sphereMesh();
 const RAYS = 9_600;
 
 /** From outside to points that are spread along the edges: ten of each, from both of its triangles. */
-function edgeRays({ vertices, triangles }: Mesh): Ray[] {
+function edgeRays({ vertices, triangles }: Mesh): (Ray & { readonly target: number })[] {
   const vertex = (i: number): Vec => [vertices[3 * i]!, vertices[3 * i + 1]!, vertices[3 * i + 2]!];
-  const rays: Ray[] = [];
+  const rays: (Ray & { readonly target: number })[] = [];
   for (let i = 0; i < triangles.length; i += 1) {
     const a = vertex(triangles[i]!);
     const b = vertex(triangles[i % 3 === 2 ? i - 2 : i + 1]!);
@@ -106,6 +106,7 @@ function edgeRays({ vertices, triangles }: Mesh): Ray[] {
         origin,
         direction: along.map((x) => x / length) as unknown as Vec,
         length: 20,
+        target: length,
       });
     }
   }
@@ -119,15 +120,18 @@ const along = (origin: Vec, length: number): Ray => ({ origin, direction: [1, 0,
 export const rays: readonly Question[] = [
   {
     id: "shared-edges",
-    text: "9,600 rays from outside are aimed at points on the edges between triangles of a closed mesh (162 vertices, 320 triangles). How many hit it?",
+    text: "9,600 rays from outside are aimed at points on the edges between triangles of a closed mesh (162 vertices, 320 triangles). How many first hit it within 1 mm of their target?",
     unit: "",
     lesson: "02_triangles",
     planar: false,
     exact: {
       value: RAYS,
-      how: "the mesh bounds a convex solid, and each ray is steep where it meets the surface, so a rounded ray hits, too",
+      how: "the mesh bounds a convex solid, and each ray is steep where it meets the surface, so rounding moves the hit by much less than 1 mm",
     },
-    ask: (engine) => engine.meshHits?.(MESH, EDGE_RAYS),
+    ask: (engine) =>
+      engine
+        .meshHits?.(MESH, EDGE_RAYS)
+        .filter((distance, i) => Math.abs(distance - EDGE_RAYS[i]!.target) < 1e-3).length,
   },
   {
     id: "far-ball",
