@@ -103,6 +103,6 @@ const record = {
   questions: QUESTIONS.map(({ ask: _, ...facts }) => facts),
   answers,
 };
-fs.writeFileSync(recordFile, `${JSON.stringify(record, null, 1)}\n`);
+fs.writeFileSync(recordFile, `${JSON.stringify(record, null, 2)}\n`);
 // Some engines leave a worker or a timer.
 process.exit(0);

@@ -253,7 +253,7 @@ export const jolt: Adapter = {
   dimension: 3,
   licence: "MIT",
   promise:
-    "Deterministic if the same calls are made in the same order; continuous detection by a linear cast. Edges of convex shapes are rounded by a convex radius, and an impact slower than 1 m/s does not bounce. No bound on errors is promised.",
+    "Deterministic if the same calls are made in the same order. Continuous detection is a linear cast: a body moves up to its first impact, loses the rest of the step, and bounces in the next. Edges of convex shapes are rounded by a convex radius, and an impact slower than 1 m/s does not bounce. No bound on errors is promised.",
   source: "https://jrouwe.github.io/JoltPhysics/",
   iterations: "mNumVelocitySteps",
   switches:

@@ -113,8 +113,8 @@ export const matter: Adapter = {
   dimension: 2,
   licence: "MIT",
   promise:
-    "A 2D engine for the web: time steps up to 1/60 s, conservation of momentum, stable stacking and friction are listed as features. It has no continuous detection, discs are polygons, and no bound on errors is promised.",
-  source: "https://brm.io/matter-js/docs/",
+    "Stable stacking, conservation of momentum, restitution and friction are listed as features, and steps of at most 16.667 ms are recommended. It has no continuous detection, discs are polygons, and no bound on errors is promised.",
+  source: "https://brm.io/matter-js/",
   iterations: "velocityIterations; with thresholds off positionIterations are at least as many",
   switches:
     "continuous detection: it has none; thresholds off: no least speed of rebound, discs of 100 sides, and the inertia of the shape instead of four times as much",
