@@ -8,11 +8,16 @@
 import { button, html } from "./dom.ts";
 import type { Choice, FromWorker, ToWorker } from "./engines/messages.ts";
 import { errorWritten, timeText, valueWritten, type Written } from "./engines/words.ts";
+import { untilBuilt } from "./pending.ts";
+
+/** As page/wasm/build.mjs names them. */
+const OF_THE_BOOK = ["20_scenes/scene_player", "engines/queries"];
 
 type Answered = Extract<FromWorker, { kind: "answer" }>;
 
 export class ContactEngines extends HTMLElement {
   #worker: Worker | undefined;
+  #waiting: AbortController | undefined;
   #built = false;
   #settings: HTMLElement | undefined;
   readonly #status = html("p", { class: "status", role: "status" });
@@ -38,6 +43,7 @@ export class ContactEngines extends HTMLElement {
   }
 
   disconnectedCallback(): void {
+    this.#waiting?.abort();
     this.#worker?.terminate();
   }
 
@@ -94,13 +100,27 @@ export class ContactEngines extends HTMLElement {
       for (const cell of this.#section(name)?.querySelectorAll("td.here") ?? [])
         cell.replaceChildren();
     const base = new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
-    this.#worker ??= this.#start(base);
     // Beside what was pressed, since the page is long.
     const at = questions.length === 1 ? this.#section(questions[0]!) : this.#settings;
     at?.querySelector(".buttons")?.after(this.#status);
     this.#setAsking(true);
     this.#status.textContent = "Loading the engines …";
-    const message: ToWorker = { base, questions, choice };
+    this.#send({ base, questions, choice }).catch((error: unknown) => {
+      if (!(error instanceof DOMException && error.name === "AbortError"))
+        this.#stopAsking(`The engines could not be loaded: ${String(error)}`);
+    });
+  }
+
+  /** While `./contact serve` builds, the book's own modules may not be there yet. */
+  async #send(message: ToWorker): Promise<void> {
+    const waiting = new AbortController();
+    this.#waiting = waiting;
+    const say = (words: string): void => {
+      this.#status.textContent = words;
+    };
+    for (const name of OF_THE_BOOK) await untilBuilt(name, message.base, say, waiting.signal);
+    waiting.signal.throwIfAborted();
+    this.#worker ??= this.#start(message.base);
     this.#worker.postMessage(message);
   }
 
@@ -152,6 +172,7 @@ export class ContactEngines extends HTMLElement {
   }
 
   #stopAsking(words: string): void {
+    this.#waiting?.abort();
     this.#worker?.terminate();
     this.#worker = undefined;
     this.#setAsking(false);
