@@ -20,6 +20,8 @@ from contact_book.html import attributes, base_path, can_run_scripts, renders
 from contact_book.nodes import component, make_component
 
 RECORD = Path("page", "engines", "recorded.json")
+# What the page's script asks for the book's own answers.
+MODULES = ("scenes/player.wasm", "engines/queries.wasm")
 NOT_ASKED = "does not answer this"
 NO_VALUE = "none"
 # Outside of these an error is written with a power of ten.
@@ -38,6 +40,11 @@ class AskEngines(BookDirective):
             raise BookError(f"{RECORD} is missing: node page/engines/record.mjs writes it")
         record = json.loads(file.read_text(encoding="utf-8"))
         self.needs_script()
+        modules = [Path(self.config.contact_web) / name for name in MODULES]
+        self.depends(*modules)
+        record["built"] = all(module.is_file() for module in modules)
+        if not record["built"]:
+            self.missing_figure(f"the book's answers to engines are not built: {modules[-1]}")
         lessons = {question["lesson"] for question in record["questions"]}
         record["lessons"] = {slug: self.lesson(slug) for slug in lessons}
         return [make_component("ask-engines", record)]
@@ -226,5 +233,5 @@ def ask_engines_html(translator: HTML5Translator, node: component) -> str:
     inner = overview_html(record) + recorded + "".join(parts) + engines_html(record)
     if not can_run_scripts(translator):
         return inner
-    where = attributes(base=base_path(translator))
+    where = attributes(base=base_path(translator)) + ("" if record["built"] else " not-built")
     return f"<contact-engines{where}>{inner}</contact-engines>\n"

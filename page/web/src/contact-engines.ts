@@ -1,4 +1,4 @@
-// <contact-engines base="…">…the recorded answers…</contact-engines>
+// <contact-engines base="…" not-built>…the recorded answers…</contact-engines>
 //
 // The page "Ask the engines". The recorded answers are there without a script. This adds the reader's settings, a button to
 // each question, and a column for the answers that the engines give here.
@@ -118,7 +118,8 @@ export class ContactEngines extends HTMLElement {
     const say = (words: string): void => {
       this.#status.textContent = words;
     };
-    for (const name of OF_THE_BOOK) await untilBuilt(name, message.base, say, waiting.signal);
+    if (this.hasAttribute("not-built"))
+      for (const name of OF_THE_BOOK) await untilBuilt(name, message.base, say, waiting.signal);
     waiting.signal.throwIfAborted();
     this.#worker ??= this.#start(message.base);
     this.#worker.postMessage(message);
