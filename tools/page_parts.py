@@ -18,6 +18,8 @@ from steps import ROOT
 # The chapter whose scenes the page's player plays, and its name in page/wasm/build.mjs.
 SCENES = "20_scenes"
 PLAYER = f"{SCENES}/scene_player"
+# The book's answers on the page "Ask the engines", which also asks the player.
+ENGINES = "engines/queries"
 
 FIGURES = [f"{file.parts[-3]}/{file.stem}" for file in ROOT.glob("chapters/*/figures/*.cpp")]
 LADDERS = [file.parent.name for file in ROOT.glob("chapters/*/ladder.cpp")]
@@ -82,6 +84,8 @@ def figures_and_ladders() -> list[steps.Step]:
     narrowed = [word for name in (*taken, *figures_named()) for word in ("--only", name)]
     if not narrowed:
         return []
+    if player_is_tested():
+        narrowed += ["--only", ENGINES]
     if not chapters_asked_for():
         narrowed.append("--drop-outdated")
     what = f"the figures' and the ladders' C++ of {len(taken)} chapters for the page"

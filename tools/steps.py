@@ -317,6 +317,8 @@ def _waiting_exercises() -> list[str]:
 
 # The scene player, and the scene that its page opens with: one name takes both.
 _PLAYER = ("scenes/player.wasm", "scenes/opening.wasm")
+# The book's answers on the page "Ask the engines".
+_ENGINES = "engines/queries"
 
 
 def _waiting_figures() -> list[str]:
@@ -329,6 +331,8 @@ def _waiting_figures() -> list[str]:
     for scenes in ROOT.glob("chapters/*/scenes"):
         if not all((made / product).is_file() for product in _PLAYER):
             found.append(f"{scenes.parent.name}/scene_player")
+    if not (made / f"{_ENGINES}.wasm").is_file():
+        found.append(_ENGINES)
     return found
 
 
@@ -348,11 +352,16 @@ def _one_product(kind: str, name: str) -> Done:
     return node(f"book-{kind}-{name.replace('/', '-')}", *words)()
 
 
+def _products_of(name: str) -> tuple[str, ...]:
+    if name.endswith("/scene_player"):
+        return _PLAYER
+    return (f"{name}.wasm",) if name == _ENGINES else (f"figures/{name}.wasm",)
+
+
 def _build_figure(name: str) -> Done:
     done = _one_product("figures", name)
     if done.ok:
-        player = name.endswith("/scene_player")
-        for product in _PLAYER if player else (f"figures/{name}.wasm",):
+        for product in _products_of(name):
             _beside_the_pages(product)
     return done
 

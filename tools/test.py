@@ -734,9 +734,8 @@ def page() -> Iterator[Check]:
 def without_player(tests: Iterable[Path]) -> list[Path]:
     """Where the scene player is not built in this turn, its tests wait too."""
     tested = page_parts.player_is_tested()
-    return [
-        file for file in tests if tested or file.name not in ("scenes.test.mjs", "opening.test.mjs")
-    ]
+    of_player = ("scenes.test.mjs", "opening.test.mjs", "engines.test.mjs")
+    return [file for file in tests if tested or file.name not in of_player]
 
 
 def wasm() -> Iterator[Check]:

@@ -8,6 +8,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
+import { engineProducts } from "./engines.mjs";
 import { inRoot, root, shown } from "./paths.mjs";
 import { playerProducts } from "./player.mjs";
 import { makeAll } from "./pool.mjs";
@@ -23,7 +24,7 @@ import { ship, toolchainRecipes } from "./toolchain.mjs";
  * @type {Record<string, () => Product[]>}
  */
 const kinds = {
-  figures: () => [...playerProducts(), ...figures()],
+  figures: () => [...playerProducts(), ...engineProducts(), ...figures()],
   ladders,
   toolchain: () => [],
 };

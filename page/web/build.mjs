@@ -94,6 +94,10 @@ const common = {
     "three/addons": path.join(modules, "three", "examples", "jsm"),
   },
   nodePaths: [modules],
+  // Engines that are asked questions come with their WebAssembly.
+  loader: { ".wasm": "binary" },
+  // What engines import where they run in Node; a browser never reaches it.
+  external: ["module", "node:*", "fs", "path", "url", "worker_threads"],
   logLevel: "warning",
   legalComments: "none",
 };
@@ -130,7 +134,7 @@ body[data-theme="dark"]{${dark}}
 contact-figure .stage{${drawingRules(ROLES)}}
 ${roles}
 ${levels}
-${["contact.css", "opening.css", "ladder.css", "exercise.css", "mine.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
+${["contact.css", "opening.css", "ladder.css", "exercise.css", "mine.css", "engines.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
 }
 
 /** The libraries inside the page's script, with their licences. */
@@ -210,6 +214,7 @@ async function scripts() {
     { in: path.join(here, "src", "contact.ts"), out: "contact" },
     { in: path.join(here, "src", "ladder-worker.ts"), out: "ladder-worker" },
     { in: path.join(here, "src", "scenes-worker.ts"), out: "scenes-worker" },
+    { in: path.join(here, "src", "engines-worker.ts"), out: "engines-worker" },
     { in: path.join(here, "src", "contact-work.ts"), out: "contact-work" },
     // By a name of its own, so that a test or a benchmark can check an answer as the page does.
     { in: path.join(here, "src", "cpp", "checker.ts"), out: "checker" },

@@ -9,6 +9,7 @@ from sphinx.util.typing import ExtensionMetadata
 from contact_book.answers import Answers
 from contact_book.api import depend_on_headers, forget_gone
 from contact_book.ask import Question, Recall
+from contact_book.ask_engines import AskEngines
 from contact_book.assets import add_script, copy_components
 from contact_book.blocks import connect as connect_blocks
 from contact_book.chapter import (
@@ -54,6 +55,7 @@ DIRECTIVES = {
     "scene-player": ScenePlayer,
     "exercise": Exercise,
     "your-work": YourWork,
+    "ask-engines": AskEngines,
     "question": Question,
     "recall": Recall,
     "answers": Answers,

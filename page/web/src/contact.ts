@@ -1,5 +1,6 @@
 // The page's one script: it only names the elements. What an element needs it loads when it is used.
 
+import { ContactEngines } from "./contact-engines.ts";
 import { ContactExercise } from "./contact-exercise.ts";
 import { ContactFigure } from "./contact-figure.ts";
 import { ContactLadder } from "./contact-ladder.ts";
@@ -11,3 +12,4 @@ customElements.define("contact-question", ContactQuestion);
 customElements.define("contact-ladder", ContactLadder);
 customElements.define("contact-exercise", ContactExercise);
 customElements.define("contact-player", ContactPlayer);
+customElements.define("contact-engines", ContactEngines);

@@ -26,6 +26,8 @@ export async function load(name) {
     target: "node18",
     mainFields: ["module", "main"],
     alias: { three: path.join(page, "node_modules", "three", "src", "Three.Core.js") },
+    // Engines come with their WebAssembly.
+    loader: { ".wasm": "binary" },
     logLevel: "warning",
   });
   return import(pathToFileURL(outfile).href);
