@@ -27,6 +27,19 @@ def test_a_picture_that_arrives_later_is_shown(sample: Sample) -> None:
     assert "point_line.svg" in sample.page("chapters/01_lines.html")
 
 
+def test_a_page_whose_picture_is_not_built_is_not_read_in_every_build(sample: Sample) -> None:
+    """The checks build the figures of some chapters: the others' pages wait for theirs."""
+    for figure in (sample.root / "web" / "figures" / "01_lines").iterdir():
+        figure.rename(figure.with_name(f"{figure.name}.kept"))
+    made = sample.make("--skip-api", "--complete", "--some-figures")
+    assert made.returncode == 0, made.stderr
+    page = sample.build / "site" / "chapters" / "01_lines.html"
+    os.utime(page, ns=(page.stat().st_atime_ns, page.stat().st_mtime_ns + 1))
+    written = page.stat().st_mtime_ns
+    assert sample.make("--skip-api", "--complete", "--some-figures").returncode == 0
+    assert page.stat().st_mtime_ns == written
+
+
 def test_a_chapter_is_found_by_its_folder_and_gone_with_it(sample: Sample) -> None:
     assert sample.make("--skip-api").returncode == 0
     folder = sample.root / "chapters" / "02_more"

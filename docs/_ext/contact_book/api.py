@@ -7,7 +7,7 @@ from pathlib import Path
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
-from contact_book.directive import open_book, slug_of
+from contact_book.directive import depend, open_book, slug_of
 
 
 def depend_on_headers(app: Sphinx, docname: str, source: list[str]) -> None:
@@ -17,9 +17,9 @@ def depend_on_headers(app: Sphinx, docname: str, source: list[str]) -> None:
         return
     xml = Path(app.config.breathe_projects["contact"])
     for header in open_book(app.config).chapter(slug, docname).headers:
-        app.env.note_dependency(str(header))
+        depend(app.env, header)
         group = f"group__header__{header.stem.replace('_', '__')}.xml"
-        app.env.note_dependency(str(xml / group))
+        depend(app.env, xml / group)
 
 
 def forget_gone(

@@ -8,6 +8,7 @@ from weakref import WeakKeyDictionary
 
 from docutils import nodes
 from sphinx.config import Config
+from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
@@ -40,6 +41,34 @@ def source_of(docname: str) -> str:
     if slug and docname.startswith("chapters/"):
         return f"chapters/{slug}/lesson.md"
     return f"docs/{docname}.md"
+
+
+# Of a page: folders that it depends on, and files that were not there when it was read. If these
+# were dependencies, Sphinx would read the page in every build.
+_OTHER = "contact-other-dependencies"
+
+# Names and times of what is in a folder; of a file its time; of neither nothing.
+State = tuple[tuple[str, int], ...] | None
+
+
+def _state(path: Path) -> State:
+    if path.is_dir():
+        return tuple(sorted((one.name, one.stat().st_mtime_ns) for one in path.iterdir()))
+    return ((path.name, path.stat().st_mtime_ns),) if path.exists() else None
+
+
+def depend(env: BuildEnvironment, path: Path) -> None:
+    """The page that is read is stale when this file or folder changes, appears or disappears."""
+    if path.is_file():
+        env.note_dependency(str(path))
+    else:
+        env.metadata[env.docname].setdefault(_OTHER, {})[str(path)] = _state(path)
+
+
+def other_dependencies_changed(env: BuildEnvironment, page: str) -> bool:
+    """Whether such a folder or file is not as it was when the page was read."""
+    noted: dict[str, State] = env.metadata[page].get(_OTHER, {})
+    return any(_state(Path(path)) != state for path, state in noted.items())
 
 
 class BookDirective(SphinxDirective):
@@ -78,7 +107,7 @@ class BookDirective(SphinxDirective):
     def depends(self, *paths: Path) -> None:
         """The page is stale when one of these changes, appears or disappears."""
         for path in paths:
-            self.env.note_dependency(str(path))
+            depend(self.env, path)
 
     def missing_product(self, message: str) -> None:
         """A thing the build makes is not there: an error only when the build should be complete."""

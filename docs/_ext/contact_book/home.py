@@ -9,7 +9,7 @@ from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.book import PARTS, Chapter
 from contact_book.chapter import chapter_link, joined, minutes
-from contact_book.directive import BookDirective
+from contact_book.directive import BookDirective, other_dependencies_changed
 from contact_book.errata import faulted
 from contact_book.exercises import lesson_time
 from contact_book.html import can_run_scripts, renders
@@ -106,4 +106,5 @@ def read_again(
 ) -> list[str]:
     """The home page shows which chapters there are; other pages may lack what is built by now."""
     incomplete = [name for name, data in env.metadata.items() if "contact-incomplete" in data]
-    return ["index", *incomplete]
+    changed_beside = [name for name in env.metadata if other_dependencies_changed(env, name)]
+    return ["index", *incomplete, *changed_beside]
