@@ -40,10 +40,8 @@ constexpr const char* footer =
     "  3    the set-up, the book's own files or an archive must be corrected first\n"
     "  130  Ctrl-C\n"
     "\n"
-    "CONTACT_PACK is the folder of a pack, as ./contact --pack DIR sets it; CONTACT_WORK is the "
-    "folder "
-    "of your\ncopies (work/ if unset); CONTACT_MEMORY_MB limits your "
-    "program's memory\n"
+    "CONTACT_PACK is the folder of a pack, as ./contact --pack DIR sets it; CONTACT_WORK is the\n"
+    "folder of your copies (work/ if unset); CONTACT_MEMORY_MB limits your program's memory\n"
     "(1024 if unset); NO_COLOR turns colour off.";
 
 }  // namespace

@@ -6,7 +6,8 @@
 #                        [ARGUMENTS OF ./contact]
 #
 # Without arguments it runs ./contact test. --user runs as a user with sudo instead of as root. --container first does what
-# .devcontainer does: its install.sh as root, then its onCreateCommand as the user that it makes. --keep leaves the folder; a kept folder given again with --folder is used again, with a new clone. Servers, proxies and certificates
+# .devcontainer does: its install.sh as root, then its onCreateCommand as the user that it makes. --keep leaves the
+# folder; a kept folder given again with --folder is used again, with a new clone. Servers, proxies and certificates
 # are those that this machine's own apt is configured with. Mounts are made in a namespace of their own, so nothing
 # outside the folder is touched and nothing stays mounted. Ubuntu is not offered: it has an archive of its own.
 set -eu
