@@ -84,6 +84,7 @@ export class Scene {
     return this.path([from, to], style);
   }
 
+  /** Through these points; through fewer than two there is nothing to draw. */
   path(points: readonly Point[], style: LineStyle): this {
     return this.#add({ kind: "line", points, style });
   }

@@ -104,8 +104,10 @@ export class FlatView implements View {
       faint: false,
       arrow: style.arrow ?? false,
     };
-    if (points.length > 2) return [{ ...shape, points }];
-    const cut = clipLineToStage([points[0]!, points[1]!], this.#width, this.#height);
+    const [from, to, ...more] = points;
+    if (!from || !to) return [];
+    if (more.length > 0) return [{ ...shape, points }];
+    const cut = clipLineToStage([from, to], this.#width, this.#height);
     return cut ? [{ ...shape, points: cut }] : [];
   }
 

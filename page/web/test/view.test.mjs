@@ -192,3 +192,16 @@ test("words are escaped, and subscripts lowered", () => {
   const svg = shapesToSvg(view.project(new Scene().label([0, 0], "w_a < 1 & 2")));
   assert.match(svg, /w<tspan[^>]*>a<\/tspan>.*&lt; 1 &amp; 2/);
 });
+
+test("a path through one point, or through none, draws nothing", () => {
+  const flat = new FlatView({ kind: "2d", x: [0, 4], y: [0, 3] });
+  flat.resize(400, 300);
+  for (const points of [[], [[1, 2]]]) {
+    const scene = new Scene().path(points, { role: "ink" });
+    assert.deepEqual(flat.project(scene), []);
+  }
+  for (const points of [[], [[1, 2, 3]]]) {
+    const scene = new Scene().path(points, { role: "ink" });
+    assert.deepEqual(space().project(scene), []);
+  }
+});
