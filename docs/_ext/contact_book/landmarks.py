@@ -1,11 +1,12 @@
 """Names for the parts of the theme's pages that assistive technology lists.
 
-Furo 2025.12 gives its two side columns no names, and captions in the sidebar the role of a heading
-without a level.
+Furo 2025.12 gives its two side columns no names, captions in the sidebar the role of a heading
+without a level, and has the link to the top, which appears on the way up, outside all parts.
 """
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,10 @@ _NAMES = {
     '<aside class="toc-drawer">': '<aside class="toc-drawer" aria-label="This page">',
     '<aside class="toc-drawer no-toc">': '<aside class="toc-drawer no-toc" aria-label="This page">',
 }
+# Not where it is within one: a page that has not changed is not written again.
+_TO_TOP = re.compile(
+    r'(?<!aria-label="Top">)<a href="#" class="back-to-top muted-link">.*?</a>', re.DOTALL
+)
 
 
 def plain_captions(
@@ -37,5 +42,6 @@ def name_columns(app: Sphinx, error: Exception | None) -> None:
         named = text
         for old, new in _NAMES.items():
             named = named.replace(old, new)
+        named = _TO_TOP.sub(r'<nav aria-label="Top">\g<0></nav>', named)
         if named != text:
             path.write_text(named, encoding="utf-8")
