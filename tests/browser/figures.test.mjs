@@ -2,7 +2,7 @@
 // reset, linked to; and its numbers are those of the same C++ compiled natively, to the last bit.
 
 import assert from "node:assert/strict";
-import { describe, test } from "node:test";
+import { after, before, beforeEach, describe, test } from "node:test";
 import { chapterOf, fieldsOf, figuresOn, lessons, loadFigure, notRun, open } from "./browser.mjs";
 import { inBrowser } from "./in_browser.mjs";
 import { inputsLike, native } from "./native.mjs";
@@ -28,13 +28,14 @@ test("there are figures to test, and all of them are built", { skip }, () => {
 describe("figures", { skip }, () => {
   const { server, chromium } = inBrowser();
 
-  /** @param {{ page: string, name: string }} figure @param {string} hash */
-  async function show({ page: where, name }, hash = "", options = {}) {
-    const { page, trouble, close } = await open(
-      chromium.browser,
-      `${server.origin}/${where}${hash}`,
-      { reducedMotion: "reduce", ...options },
-    );
+  /** @param {{ page: string, name: string }} each @param {string} hash */
+  async function show(each, hash = "") {
+    const url = `${server.origin}/${each.page}${hash}`;
+    return on(await open(chromium.browser, url, { reducedMotion: "reduce" }), each);
+  }
+
+  /** @param {Awaited<ReturnType<typeof open>>} opened @param {{ name: string }} each */
+  async function on({ page, trouble, close }, { name }) {
     const figure = page.locator(`contact-figure[name="${name}"]`);
     await loadFigure(figure);
     await figure.locator(".stage").scrollIntoViewIfNeeded();
@@ -49,150 +50,171 @@ describe("figures", { skip }, () => {
     assert.deepStrictEqual(await shown.output(), wanted);
   }
 
-  for (const each of figures) {
-    test(`${each.name}: dragged by pointer`, async () => {
-      const shown = await show(each);
-      for (const grip of await shown.figure.locator(".grip").all()) {
-        if (!(await grip.isVisible())) continue;
-        const field = /** @type {string} */ (await grip.getAttribute("data-field"));
-        const start = await shown.input();
-        await grip.locator(".knob").scrollIntoViewIfNeeded();
-        const box = await grip.locator(".knob").boundingBox();
-        assert.ok(box);
-        const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-        await shown.page.mouse.move(x, y);
-        await shown.page.mouse.down();
-        await shown.page.mouse.move(x + 14, y - 9, { steps: 4 });
-        await shown.page.mouse.up();
-        const moved = await shown.input();
-        // Grips may lie on one another; then the upper one is what is taken.
-        const changed = Object.keys(start).filter(
-          (name) => JSON.stringify(start[name]) !== JSON.stringify(moved[name]),
-        );
-        assert.equal(changed.length, 1, `dragging ${field} changed ${changed}`);
-        await agrees(each.name, shown);
-        await shown.figure.getByRole("button", { name: "Reset" }).click();
-        assert.deepStrictEqual(await shown.input(), start);
-      }
-      assert.deepEqual(shown.trouble, []);
-      await shown.close();
-    });
-
-    test(`${each.name}: moved by keyboard, in larger and smaller steps`, async () => {
-      const shown = await show(each);
-      const grip = shown.figure.locator(".grip").first();
-      const field = /** @type {string} */ (await grip.getAttribute("data-field"));
-      const size = async (/** @type {string} */ keys) => {
-        const start = [(await shown.input())[field]].flat();
-        await grip.focus();
-        await shown.page.keyboard.press(keys);
-        const now = [(await shown.input())[field]].flat();
-        return Math.hypot(...now.map((value, i) => value - start[i]));
-      };
-      // Left and right lead along a curve that is drawn by hand.
-      const drawn = /stroke/.test(/** @type {string} */ (await grip.getAttribute("class")));
-      const [more, less] = drawn ? ["ArrowUp", "ArrowDown"] : ["ArrowRight", "ArrowLeft"];
-      const step = await size(more);
-      assert.ok(step > 0);
-      // Ten times as large, one way or the other; less only if the whole range is smaller.
-      const left = await size(`Shift+${less}`);
-      const right = await size(`Shift+${more}`);
-      const larger = Math.max(left, right);
-      const range = await size(`Shift+${less}`);
-      assert.ok(Math.abs(larger - 10 * step) < 1e-9 || (larger > 2 * step && larger === range));
-      assert.ok(Math.abs((await size("Alt+ArrowUp")) - step / 10) < 1e-9);
-      await agrees(each.name, shown);
-      assert.match(/** @type {string} */ (await grip.getAttribute("aria-valuetext")), /\d/);
-      await shown.close();
-    });
-
-    test(`${each.name}: typed`, async () => {
-      const shown = await show(each);
-      const box = shown.figure.locator('input[type="number"]').first();
-      const field = /** @type {string} */ (await box.getAttribute("data-field"));
-      const index = Number(await box.getAttribute("data-index"));
-      await box.fill("0.12345678901234568");
-      assert.equal([(await shown.input())[field]].flat()[index], 0.12345678901234568);
-      await agrees(each.name, shown);
-      await box.fill("");
-      assert.equal([(await shown.input())[field]].flat()[index], 0.12345678901234568);
-      await box.blur();
-      assert.equal(await box.inputValue(), String(0.12345678901234568));
-      const words = await shown.figure.locator(".sentence").textContent();
-      assert.ok(words && words.length > 20);
-      await shown.page.waitForFunction(
-        ([name, wanted]) =>
-          document.querySelector(`contact-figure[name="${name}"] .spoken`)?.textContent === wanted,
-        [each.name, words],
-      );
-      await shown.close();
-    });
-
-    test(`${each.name}: the same numbers as native C++ in 400 states`, async () => {
-      const shown = await show(each);
-      const inputs = inputsLike(await shown.input(), 400, 7);
-      const got = await shown.figure.evaluate(
-        (/** @type {any} */ figure, /** @type {any} */ states) => {
-          return states.map((/** @type {any} */ state) => {
-            figure.set(state);
-            return Object.fromEntries(Object.entries(figure.output));
-          });
-        },
-        inputs,
-      );
-      const wanted = native(each.name, inputs);
-      got.forEach((/** @type {any} */ output, /** @type {number} */ i) => {
-        assert.deepStrictEqual(output, wanted[i], JSON.stringify(inputs[i]));
+  for (const where of new Set(figures.map(({ page }) => page)))
+    describe(where, () => {
+      // Loading a page takes seconds, so its figures share one on a desk, and one on a phone.
+      /** @type {Awaited<ReturnType<typeof open>>} */
+      let desk;
+      /** @type {Awaited<ReturnType<typeof open>>} */
+      let phone;
+      before(async () => {
+        const url = `${server.origin}/${where}`;
+        desk = await open(chromium.browser, url, { reducedMotion: "reduce" });
+        const held = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true };
+        phone = await open(chromium.browser, url, { reducedMotion: "reduce", ...held });
       });
-      assert.ok(got.some((/** @type {any} */ output) => output.problem === 0));
-      assert.deepEqual(shown.trouble, []);
-      await shown.close();
-    });
+      after(async () => {
+        await desk.close();
+        await phone.close();
+      });
+      for (const each of figures.filter(({ page }) => page === where))
+        describe(each.name, () => {
+          /** @type {Awaited<ReturnType<typeof on>>} */
+          let shown;
+          before(async () => {
+            desk.trouble.length = 0;
+            shown = await on(desk, each);
+          });
+          beforeEach(() => shown.figure.evaluate((/** @type {any} */ it) => it.reset()));
 
-    test(`${each.name}: a link brings the state back`, async () => {
-      const shown = await show(each);
-      const grip = shown.figure.locator(".grip").first();
-      await grip.focus();
-      await shown.page.keyboard.press("ArrowRight");
-      await shown.page.keyboard.press("ArrowUp");
-      await shown.figure.getByRole("button", { name: "Copy link" }).click();
-      await shown.figure.locator(".buttons .status").filter({ hasText: /link/i }).waitFor();
-      const state = await shown.input();
-      const { hash } = new URL(shown.page.url());
-      await shown.close();
-      const again = await show(each, hash);
-      assert.deepStrictEqual(await again.input(), state);
-      await agrees(each.name, again);
-      await again.figure.getByRole("button", { name: "Reset" }).click();
-      assert.notDeepStrictEqual(await again.input(), state);
-      assert.equal(new URL(again.page.url()).hash, "");
-      assert.deepEqual(again.trouble, []);
-      await again.close();
-    });
+          test("dragged by pointer", async () => {
+            for (const grip of await shown.figure.locator(".grip").all()) {
+              if (!(await grip.isVisible())) continue;
+              const field = /** @type {string} */ (await grip.getAttribute("data-field"));
+              const start = await shown.input();
+              await grip.locator(".knob").scrollIntoViewIfNeeded();
+              const box = await grip.locator(".knob").boundingBox();
+              assert.ok(box);
+              const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+              await shown.page.mouse.move(x, y);
+              await shown.page.mouse.down();
+              await shown.page.mouse.move(x + 14, y - 9, { steps: 4 });
+              await shown.page.mouse.up();
+              const moved = await shown.input();
+              // Grips may lie on one another; then the upper one is what is taken.
+              const changed = Object.keys(start).filter(
+                (name) => JSON.stringify(start[name]) !== JSON.stringify(moved[name]),
+              );
+              assert.equal(changed.length, 1, `dragging ${field} changed ${changed}`);
+              await agrees(each.name, shown);
+              await shown.figure.getByRole("button", { name: "Reset" }).click();
+              assert.deepStrictEqual(await shown.input(), start);
+            }
+            assert.deepEqual(shown.trouble, []);
+          });
 
-    test(`${each.name}: a finger drags a grip; grips are large enough`, async () => {
-      const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true };
-      const shown = await show(each, "", phone);
-      const grip = shown.figure.locator(".grip").first();
-      const reach = await grip.locator(".reach").boundingBox();
-      assert.ok(reach && reach.width >= 24 && reach.height >= 24, JSON.stringify(reach));
-      const start = await shown.input();
-      const session = await shown.page.context().newCDPSession(shown.page);
-      const [x, y] = [reach.x + reach.width / 2, reach.y + reach.height / 2];
-      const touch = (/** @type {string} */ type, /** @type {any[]} */ touchPoints) =>
-        session.send("Input.dispatchTouchEvent", { type: /** @type {any} */ (type), touchPoints });
-      const scrolled = await shown.page.evaluate(() => scrollY);
-      await touch("touchStart", [{ x, y }]);
-      for (const by of [6, 12, 18, 24]) await touch("touchMove", [{ x: x + by, y: y + by }]);
-      await touch("touchEnd", []);
-      assert.notDeepStrictEqual(await shown.input(), start);
-      // A page that still settles above the figure moves it by a pixel; a finger that scrolls, by many.
-      const by = (await shown.page.evaluate(() => scrollY)) - scrolled;
-      assert.ok(Math.abs(by) <= 2, `the page went by ${by} pixels`);
-      await agrees(each.name, shown);
-      await shown.close();
+          test("moved by keyboard, in larger and smaller steps", async () => {
+            const grip = shown.figure.locator(".grip").first();
+            const field = /** @type {string} */ (await grip.getAttribute("data-field"));
+            const size = async (/** @type {string} */ keys) => {
+              const start = [(await shown.input())[field]].flat();
+              await grip.focus();
+              await shown.page.keyboard.press(keys);
+              const now = [(await shown.input())[field]].flat();
+              return Math.hypot(...now.map((value, i) => value - start[i]));
+            };
+            // Left and right lead along a curve that is drawn by hand.
+            const drawn = /stroke/.test(/** @type {string} */ (await grip.getAttribute("class")));
+            const [more, less] = drawn ? ["ArrowUp", "ArrowDown"] : ["ArrowRight", "ArrowLeft"];
+            const step = await size(more);
+            assert.ok(step > 0);
+            // Ten times as large, one way or the other; less only if the whole range is smaller.
+            const left = await size(`Shift+${less}`);
+            const right = await size(`Shift+${more}`);
+            const larger = Math.max(left, right);
+            const range = await size(`Shift+${less}`);
+            assert.ok(
+              Math.abs(larger - 10 * step) < 1e-9 || (larger > 2 * step && larger === range),
+            );
+            assert.ok(Math.abs((await size("Alt+ArrowUp")) - step / 10) < 1e-9);
+            await agrees(each.name, shown);
+            assert.match(/** @type {string} */ (await grip.getAttribute("aria-valuetext")), /\d/);
+          });
+
+          test("typed", async () => {
+            const box = shown.figure.locator('input[type="number"]').first();
+            const field = /** @type {string} */ (await box.getAttribute("data-field"));
+            const index = Number(await box.getAttribute("data-index"));
+            await box.fill("0.12345678901234568");
+            assert.equal([(await shown.input())[field]].flat()[index], 0.12345678901234568);
+            await agrees(each.name, shown);
+            await box.fill("");
+            assert.equal([(await shown.input())[field]].flat()[index], 0.12345678901234568);
+            await box.blur();
+            assert.equal(await box.inputValue(), String(0.12345678901234568));
+            const words = await shown.figure.locator(".sentence").textContent();
+            assert.ok(words && words.length > 20);
+            await shown.page.waitForFunction(
+              ([name, wanted]) =>
+                document.querySelector(`contact-figure[name="${name}"] .spoken`)?.textContent ===
+                wanted,
+              [each.name, words],
+            );
+          });
+
+          test("the same numbers as native C++ in 100 states", async () => {
+            const inputs = inputsLike(await shown.input(), 100, 7);
+            const got = await shown.figure.evaluate(
+              (/** @type {any} */ figure, /** @type {any} */ states) => {
+                return states.map((/** @type {any} */ state) => {
+                  figure.set(state);
+                  return Object.fromEntries(Object.entries(figure.output));
+                });
+              },
+              inputs,
+            );
+            const wanted = native(each.name, inputs);
+            got.forEach((/** @type {any} */ output, /** @type {number} */ i) => {
+              assert.deepStrictEqual(output, wanted[i], JSON.stringify(inputs[i]));
+            });
+            assert.ok(got.some((/** @type {any} */ output) => output.problem === 0));
+            assert.deepEqual(shown.trouble, []);
+          });
+
+          test("a link brings the state back", async () => {
+            const grip = shown.figure.locator(".grip").first();
+            await grip.focus();
+            await shown.page.keyboard.press("ArrowRight");
+            await shown.page.keyboard.press("ArrowUp");
+            await shown.figure.getByRole("button", { name: "Copy link" }).click();
+            await shown.figure.locator(".buttons .status").filter({ hasText: /link/i }).waitFor();
+            const state = await shown.input();
+            const { hash } = new URL(shown.page.url());
+            const again = await show(each, hash);
+            assert.deepStrictEqual(await again.input(), state);
+            await agrees(each.name, again);
+            await again.figure.getByRole("button", { name: "Reset" }).click();
+            assert.notDeepStrictEqual(await again.input(), state);
+            assert.equal(new URL(again.page.url()).hash, "");
+            assert.deepEqual(again.trouble, []);
+            await again.close();
+          });
+
+          test("a finger drags a grip; grips are large enough", async () => {
+            const held = await on(phone, each);
+            const grip = held.figure.locator(".grip").first();
+            const reach = await grip.locator(".reach").boundingBox();
+            assert.ok(reach && reach.width >= 24 && reach.height >= 24, JSON.stringify(reach));
+            const start = await held.input();
+            const session = await held.page.context().newCDPSession(held.page);
+            const [x, y] = [reach.x + reach.width / 2, reach.y + reach.height / 2];
+            const touch = (/** @type {string} */ type, /** @type {any[]} */ touchPoints) =>
+              session.send("Input.dispatchTouchEvent", {
+                type: /** @type {any} */ (type),
+                touchPoints,
+              });
+            const scrolled = await held.page.evaluate(() => scrollY);
+            await touch("touchStart", [{ x, y }]);
+            for (const by of [6, 12, 18, 24]) await touch("touchMove", [{ x: x + by, y: y + by }]);
+            await touch("touchEnd", []);
+            assert.notDeepStrictEqual(await held.input(), start);
+            // A page that still settles above the figure moves it by a pixel; a finger that scrolls, by many.
+            const by = (await held.page.evaluate(() => scrollY)) - scrolled;
+            assert.ok(Math.abs(by) <= 2, `the page went by ${by} pixels`);
+            await agrees(each.name, held);
+          });
+        });
     });
-  }
 
   /** A figure whose curve is drawn by hand. */
   const sketch = { page: "chapters/12_momentum.html", name: "12_momentum/force_time" };
