@@ -624,8 +624,12 @@ MUTANTS_EACH, MUTANT_SECONDS = 10, 120
 
 
 def mutated_exercises() -> list[str]:
+    """A tenth of them; of a chapter that is asked for, one, another in each turn."""
     there = [file.parent for file in sorted(ROOT.glob("exercises/*/*/exercise.toml"))]
     names = [f"{folder.parent.name}/{folder.name}" for folder in there]
+    if asked := chapters_asked_for():
+        of = [[name for name in names if name.startswith(f"{slug}/")] for slug in asked]
+        return [some[turn() % len(some)] for some in of if some]
     return sample(names, MUTANTS_EACH, "exercises whose solutions are mutated", kind="exercises")
 
 
@@ -748,13 +752,18 @@ def wasm() -> Iterator[Check]:
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
     yield from step_checks([*page_parts.compiler_and_exercises(), page_parts.native_figures()])
-    tests = [*sorted(here.glob("wasm/*.test.mjs")), *sorted(here.glob("web/test/cpp/*.test.mjs"))]
-    if chapters_asked_for():
-        # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.
-        tests = [here / "wasm" / "loader.test.mjs"]
-    # As page/wasm/pool.mjs starts the compiler.
-    engine = "--single-threaded-gc --liftoff-only"
-    yield from node_tests("test of page/wasm:", tests, here, flags=engine)
+    # The exercises of a chapter alone are checked in a browser: parity.test.mjs.
+    if not chapters_asked_for():
+        compiled = [*here.glob("wasm/*.test.mjs"), *here.glob("web/test/cpp/*.test.mjs")]
+        tests = sorted(file for file in compiled if file.name != "loader.test.mjs")
+        # As page/wasm/pool.mjs starts the compiler.
+        engine = "--single-threaded-gc --liftoff-only"
+        yield from node_tests("test of page/wasm:", tests, here, flags=engine)
+
+
+def twins() -> Iterator[Check]:
+    here = ROOT / "page"
+    yield from node_tests("test of page/wasm:", [here / "wasm" / "loader.test.mjs"], here)
 
 
 def book() -> Iterator[Check]:
@@ -821,7 +830,9 @@ WHOLE_MINUTES = 40
 
 CHAPTERS = sorted(file.parent.name for file in ROOT.glob("chapters/*/chapter.toml"))
 # The stages of `./contact test CHAPTER`. Each takes of its lists what is in CONTACT_CHAPTERS.
-OF_ONE_CHAPTER = ("native", "ctest", "dev-check", "ladder", "page", "wasm", "book", "browser")
+OF_ONE_CHAPTER = (
+    *("native", "ctest", "dev-check", "ladder", "page", "wasm", "book", "twins", "browser"),
+)
 # Beside what chapters are touched: files that a stage reads. Such a stage is run with all that it
 # needs.
 READS = {
@@ -838,6 +849,7 @@ READS = {
         "tidy": r"(grading|chapters/[^/]+/contact)/|\.clang-tidy$",
         "page": r"page/(web|figure|player)/|page/[^/]+$",
         "wasm": r"page/(wasm|judge)/|page/web/(src|test)/cpp|page/[^/]+$|grading/",
+        "twins": r"page/(wasm|figure)/",
         "book": r"(docs|page)/|tests/(docs|serve)/|tools/(serve|steps)\.py$|grading/book/.*\.py$",
         "browser": r"tests/browser/|page/web/|docs/(_ext|_static)/",
     }.items()
@@ -922,6 +934,14 @@ STAGES = (
     ),
     Stage(
         "book", "the book without a warning, and served", 50, book, ("page", "wasm"), may_wait=True
+    ),
+    Stage(
+        "twins",
+        "figures and ladders in WebAssembly against their native programs",
+        30,
+        twins,
+        ("page", "wasm"),
+        may_wait=True,
     ),
     Stage("browser", "the book in a real browser", 80, browser, ("book",), Lane.WAITS, True),
     Stage(

@@ -54,7 +54,7 @@ def changed(monkeypatch: pytest.MonkeyPatch, *files: str) -> list[str]:
 
 def test_a_chapter_is_all_of_it_and_nothing_else() -> None:
     assert names("02_triangles") == [
-        *("native", "ctest", "dev-check", "ladder", "page", "wasm", "book", "browser")
+        *("native", "ctest", "dev-check", "ladder", "page", "wasm", "book", "twins", "browser")
     ]
     assert os.environ["CONTACT_CHAPTERS"] == "02_triangles"
 
