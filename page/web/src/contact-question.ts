@@ -131,7 +131,11 @@ export class ContactQuestion extends HTMLElement {
     asker.onSubmit?.(tryAnswer);
     const answer = html("div", { class: "answer" }, asker.element);
     const buttons = html("div", { class: "buttons" }, check, again, give);
-    const kind = html("p", { class: "kind" }, KINDS[question.kind]);
+    const kindId = freshId("kind");
+    const kind = html("p", { class: "kind", id: kindId }, KINDS[question.kind]);
+    // Each question has a button "Check": a screen reader says of which question.
+    this.setAttribute("role", "group");
+    this.setAttribute("aria-labelledby", `${kindId} ${labelId}`);
     const script = this.querySelector("script")!;
     const below = asker.below ? [asker.below] : [];
     const address = this.getAttribute("embed");

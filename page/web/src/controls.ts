@@ -59,7 +59,12 @@ function table(
     }
     body.append(cells);
   }
-  return html("table", { class: "given" }, html("thead", {}, head), body);
+  return html(
+    "table",
+    { class: "given", "aria-label": "Numbers of the figure" },
+    html("thead", {}, head),
+    body,
+  );
 }
 
 function row(

@@ -47,6 +47,7 @@ function valueRow(value: Value, cells: HTMLElement[], meanings: HTMLElement[]): 
   const meaning = html("span", { class: "meaning" });
   cells.push(cell);
   meanings.push(meaning);
-  const name = html("th", { scope: "row" }, symbol(value.name), meaning);
+  // Apart in what a screen reader reads, too.
+  const name = html("th", { scope: "row" }, symbol(value.name), " ", meaning);
   return html("tr", {}, name, cell);
 }
