@@ -6,6 +6,8 @@ page/engines/record.mjs writes the record: what is asked, of whom, and the answe
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
+from functools import partial
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -189,11 +191,13 @@ def overview_html(record: dict[str, Any]) -> str:
     return f'{legend}<div class="wide overview" {scrolled}>{table}</div>'
 
 
-def engines_html(record: dict[str, Any]) -> str:
-    """Versions, promises and settings of all engines."""
+def engines_html(record: dict[str, Any], to: Callable[[str], str]) -> str:
+    """Versions, promises and settings of all engines; `to`: the address of a page of the book."""
     items = []
     for engine in record["engines"]:
         source = engine["source"]
+        if engine["id"] == "book":
+            source = to(source.removesuffix(".html"))
         promised = f'{escape(engine["promise"])} <a href="{escape(source)}">Source</a>.'
         if engine["id"] == "book":
             items.append(f"<dt>{escape(engine['title'])}</dt><dd>{promised}</dd>")
@@ -219,9 +223,10 @@ def engines_html(record: dict[str, Any]) -> str:
 def ask_engines_html(translator: HTML5Translator, node: component) -> str:
     record = node["data"]
     builder = translator.builder
+    to = partial(builder.get_relative_uri, builder.current_docname)
     parts = []
     for question in record["questions"]:
-        page = builder.get_relative_uri(builder.current_docname, f"chapters/{question['lesson']}")
+        page = to(f"chapters/{question['lesson']}")
         exercise = record["lessons"][question["lesson"]]["exercise"].replace("_", "-")
         parts.append(question_html(record, question, (page, f"{page}#exercise-{exercise}")))
     megabytes = sum(engine.get("bytes", 0) for engine in record["engines"]) / 1e6
@@ -230,7 +235,7 @@ def ask_engines_html(translator: HTML5Translator, node: component) -> str:
         f"on {escape(record['processor'])}; times are of one run after a first one. "
         f"Asking here loads all engines once, {megabytes:.1f} MB.</p>"
     )
-    inner = overview_html(record) + recorded + "".join(parts) + engines_html(record)
+    inner = overview_html(record) + recorded + "".join(parts) + engines_html(record, to)
     if not can_run_scripts(translator):
         return inner
     where = attributes(base=base_path(translator)) + ("" if record["built"] else " not-built")
