@@ -14,8 +14,9 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-EBOOK = "contact-hours.epub"
+import steps
+
+EBOOK = steps.EBOOK.name
 # Zip knows no earlier time. The same book then gives the same bytes.
 TIME = (1980, 1, 1, 0, 0, 0)
 
@@ -66,16 +67,18 @@ def notes_of(root: Path, version: str) -> str:
 
 def zip_of(site: Path, to: Path, version: str) -> None:
     folder = f"contact-hours-{version}"
-    with zipfile.ZipFile(to, "w", zipfile.ZIP_DEFLATED) as made:
-        made.writestr(
-            zipfile.ZipInfo(f"{folder}/README.txt", TIME), READ_ME.format(version=version)
-        )
-        for file in sorted(path for path in site.rglob("*") if path.is_file()):
-            name = f"{folder}/book/{file.relative_to(site).as_posix()}"
-            entry = zipfile.ZipInfo(name, TIME)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            made.writestr(entry, file.read_bytes())
+    files = {f"book/{file.relative_to(site).as_posix()}": file for file in site.rglob("*")}
+    with zipfile.ZipFile(to, "w") as made:
+
+        def add(name: str, data: bytes) -> None:
+            entry = zipfile.ZipInfo(f"{folder}/{name}", TIME)
+            entry.external_attr = 0o644 << 16  # readable by everyone
+            made.writestr(entry, data, zipfile.ZIP_DEFLATED)
+
+        add("README.txt", READ_ME.format(version=version).encode())
+        for name, file in sorted(files.items()):
+            if file.is_file():
+                add(name, file.read_bytes())
 
 
 def make(root: Path, tag: str) -> Release:
@@ -109,12 +112,12 @@ def main(arguments: list[str]) -> int:
         print("usage: tools/release.py vX.Y.Z", file=sys.stderr)
         return 2
     try:
-        release = make(ROOT, arguments[0])
+        release = make(steps.ROOT, arguments[0])
     except ReleaseError as why:
         print(f"tools/release.py: {why}", file=sys.stderr)
         return 1
     for file in (release.book, release.ebook, release.notes):
-        print(f"{file.relative_to(ROOT)}  {file.stat().st_size} bytes")
+        print(f"{file.relative_to(steps.ROOT)}  {file.stat().st_size} bytes")
     return 0
 
 

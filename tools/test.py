@@ -31,7 +31,7 @@ import lengths
 import page_parts
 import steps
 import touched
-from sample import chapters_asked_for, sample, turn
+from sample import chapters_asked_for, sample, turn, wanted
 from stages import LATE, Check, Lane, Stage, Tally, closing_table, run_stage
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
 from wrong_answers import write_whole  # where touched finds the registry's writer
@@ -619,18 +619,18 @@ def dev_check() -> Iterator[Check]:
         yield counted("contact dev mutants", command, count_mutants)
 
 
-# A tenth of the exercises in each run, and the seconds of processor time after which none begins.
-MUTANTS_EACH, MUTANT_SECONDS = 10, 120
+# A tenth of the exercises in each run, a fifth of those of a chapter that is checked alone, and the
+# seconds of processor time after which none begins.
+MUTANTS_EACH, MUTANTS_EACH_ALONE, MUTANT_SECONDS = 10, 5, 120
 
 
 def mutated_exercises() -> list[str]:
-    """A tenth of them; of a chapter that is asked for, one, another in each turn."""
     there = [file.parent for file in sorted(ROOT.glob("exercises/*/*/exercise.toml"))]
     names = [f"{folder.parent.name}/{folder.name}" for folder in there]
-    if asked := chapters_asked_for():
-        of = [[name for name in names if name.startswith(f"{slug}/")] for slug in asked]
-        return [some[turn() % len(some)] for some in of if some]
-    return sample(names, MUTANTS_EACH, "exercises whose solutions are mutated", kind="exercises")
+    what = "exercises whose solutions are mutated"
+    if chapters_asked_for():
+        return sample([name for name in names if wanted(name)], MUTANTS_EACH_ALONE, what)
+    return sample(names, MUTANTS_EACH, what, kind="exercises")
 
 
 def count_mutants(done: Done) -> Tally | None:
@@ -729,7 +729,8 @@ def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
 def page() -> Iterator[Check]:
     """What the book is made of, as ./contact serve makes it, and the tests of the scripts."""
     here = ROOT / "page"
-    yield from step_checks([*page_parts.figures_and_ladders(), page_parts.scripts()])
+    compiled = [*page_parts.figures_and_ladders(), page_parts.native_figures()]
+    yield from step_checks([*compiled, page_parts.scripts()])
     if not chapters_asked_for():
         tests = sorted(here.glob("web/test/*.test.mjs"))
         yield from node_tests("test of page/web:", without_player(tests), here)
@@ -751,7 +752,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks([*page_parts.compiler_and_exercises(), page_parts.native_figures()])
+    yield from step_checks(page_parts.compiler_and_exercises())
     # The exercises of a chapter alone are checked in a browser: parity.test.mjs.
     if not chapters_asked_for():
         compiled = [*here.glob("wasm/*.test.mjs"), *here.glob("web/test/cpp/*.test.mjs")]
@@ -940,7 +941,7 @@ STAGES = (
         "figures and ladders in WebAssembly against their native programs",
         30,
         twins,
-        ("page", "wasm"),
+        ("page",),
         may_wait=True,
     ),
     Stage("browser", "the book in a real browser", 80, browser, ("book",), Lane.WAITS, True),

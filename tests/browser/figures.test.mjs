@@ -72,8 +72,11 @@ describe("figures", { skip }, () => {
           /** @type {Awaited<ReturnType<typeof on>>} */
           let shown;
           before(async () => {
-            desk.trouble.length = 0;
             shown = await on(desk, each);
+          });
+          // What went wrong in one figure is not told of the next.
+          after(() => {
+            desk.trouble.length = 0;
           });
           beforeEach(() => shown.figure.evaluate((/** @type {any} */ it) => it.reset()));
 

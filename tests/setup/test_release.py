@@ -59,8 +59,10 @@ def test_the_zip_has_every_file_of_the_book_in_one_folder(project: Path) -> None
     with zipfile.ZipFile(make(project, "v1.2.3").book) as made:
         assert made.read("contact-hours-1.2.3/book/chapters/01_planes.html") == b"planes"
         names = made.namelist()
+        modes = {entry.external_attr >> 16 for entry in made.infolist()}
         readme = made.read("contact-hours-1.2.3/README.txt").decode()
     assert len(names) == 5
+    assert modes == {0o644}
     assert all(name.startswith("contact-hours-1.2.3/") for name in names)
     assert "--directory book" in readme
 
